@@ -59,7 +59,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                              "it is level (default: the receivers)")
     selection.add_options(parser)
     parser.add_argument("--format", choices=FORMATS, default=FORMATS[0],
-                        help="of the files: png, or pdf or svg, whose lines and texts stay sharp at "
+                        help="of the files: png, or pdf or svg, whose lines and texts are sharp at "
                              "any size, for papers (default: png)")
     parser.add_argument("--dpi", type=int, default=200, help="dots per inch (default: 200)")
     return parser.parse_args(arguments)

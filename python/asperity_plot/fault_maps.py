@@ -112,29 +112,47 @@ def _colours(axes, where: plane.Plane, values, unit: units.Unit, name: str) -> N
 
 def reached_part(where: plane.Plane, front: np.ndarray):
     """A triangulation of what the front reached, and its arrivals there; None and nan without a
-    whole triangle. Edges are cut in the middle between a node that it reached and one that it did
-    not, so that the border is no stair."""
+    whole triangle. The border is where a mean over neighbours of 1 at nodes that it reached, and 0
+    at others, is a half: not along the edges of triangles, which make stairs."""
     mesh = where.triangulation
-    count = np.isfinite(front)[mesh.triangles].sum(axis=1)
-    whole = mesh.triangles[count == 3]
-    if not whole.size:
+    reached = np.isfinite(front)
+    if not reached[mesh.triangles].all(axis=1).any():
         return None, np.nan
-    nodes = [np.stack((mesh.x, mesh.y), axis=1)]
-    values, triangles, first = [np.nan_to_num(front)], [whole], mesh.x.size
+    share = _means(mesh, _means(mesh, reached.astype(float)))
+    known = np.where(reached, front, _means(mesh, front, reached))
+    inside = (share >= 0.5) & np.isfinite(known)
+    values = np.where(inside, known, 0.0)
+    places = [np.stack((mesh.x, mesh.y), axis=1)]
+    arrivals, first = [values], mesh.x.size
+    count = inside[mesh.triangles].sum(axis=1)
+    triangles = [mesh.triangles[count == 3]]
     for corners, new in ((2, ((0, 1, 3), (0, 3, 4))), (1, ((0, 3, 4),))):
         part = mesh.triangles[count == corners]
-        order = np.argsort(~np.isfinite(front)[part], axis=1, kind="stable")
-        part = np.take_along_axis(part, order, axis=1)  # those reached first
+        order = np.argsort(~inside[part], axis=1, kind="stable")
+        part = np.take_along_axis(part, order, axis=1)  # those inside first
         near = part[:, [1, 0]] if corners == 2 else part[:, [0, 0]]
         far = part[:, [2, 2]] if corners == 2 else part[:, [1, 2]]
-        nodes.append(0.5 * (nodes[0][near] + nodes[0][far]).reshape(-1, 2))
-        values.append(front[near].ravel())
+        cut = np.clip((share[near] - 0.5) / np.maximum(share[near] - share[far], 1e-9), 0.0, 1.0)
+        places.append(((1.0 - cut)[..., None] * places[0][near]
+                       + cut[..., None] * places[0][far]).reshape(-1, 2))
+        arrivals.append(values[near].ravel())
         added = first + np.arange(2 * len(part)).reshape(-1, 2)
         triangles += [np.concatenate((part, added), axis=1)[:, list(each)] for each in new]
         first += 2 * len(part)
-    places = np.concatenate(nodes)
-    return Triangulation(places[:, 0], places[:, 1], np.concatenate(triangles)), \
-        np.concatenate(values)
+    points = np.concatenate(places)
+    return Triangulation(points[:, 0], points[:, 1], np.concatenate(triangles)), \
+        np.concatenate(arrivals)
+
+
+def _means(mesh: Triangulation, values: np.ndarray, of: Optional[np.ndarray] = None) -> np.ndarray:
+    """(nodes) the mean of a node and its neighbours, of those in `of` alone; nan without any."""
+    weights = np.ones(values.size) if of is None else of.astype(float)
+    filled = np.where(weights > 0.0, values, 0.0)
+    ends = np.concatenate((mesh.edges, mesh.edges[:, ::-1]))
+    total, number = weights * filled, weights.copy()
+    np.add.at(total, ends[:, 0], (weights * filled)[ends[:, 1]])
+    np.add.at(number, ends[:, 0], weights[ends[:, 1]])
+    return np.divide(total, number, out=np.full(values.size, np.nan), where=number > 0.0)
 
 
 def interval(front: np.ndarray) -> float:

@@ -149,23 +149,26 @@ class SurfaceFaults(FolderCase):
         self.assertNotIn("Mw", figure._suptitle.get_text())
         self.assertEqual([line for panel in figure.axes for line in panel.lines], [])
 
-    def test_the_border_of_a_front_lies_between_nodes_that_it_reached_and_others(self):
-        """A square of two triangles: of the one with two such nodes 3/4 are shown, of the one with
-        one such node 1/4; a whole one beside them."""
-        nodes = np.array([[0.0, 0, 0], [1, 0, 0], [1, -1, 0], [0, -1, 0], [-1, 0, 0], [-1, -1, 0]])
-        triangles = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4], [3, 4, 5]])
-        where = plane.unrolled(nodes, triangles, ["fault"], np.zeros(4, int), np.array([0.0, 1, 0]))
-        front = np.array([1.0, np.nan, np.nan, 2.0, 3.0, np.nan])[where.source]
+    def test_the_border_of_a_front_is_no_stair(self):
+        """That of a circle on squares of 500 m stays within half a square of the circle, and its
+        area within 2 % of it."""
+        strike, dip, _ = surface.grid()
+        where = plane.plane(self.run_, self.run_.fault)
+        centre, radius = (5000.0, 2500.0), 2200.0
+        distance = np.hypot(strike - centre[0], dip - centre[1])
+        front = np.where(distance <= radius, distance / surface.SPEED, np.nan)
         mesh, values = fault_maps.reached_part(where, front)
-        x, y = mesh.x[mesh.triangles], mesh.y[mesh.triangles]
-        areas = 0.5 * np.abs((x[:, 1] - x[:, 0]) * (y[:, 2] - y[:, 0]) -
-                             (x[:, 2] - x[:, 0]) * (y[:, 1] - y[:, 0]))
-        # one corner of the first, two of the second and of the fourth, all of the third
-        unit = where.unit.factor**2
-        self.assertAlmostEqual(areas.sum() * unit, 0.5 * (0.25 + 0.75 + 1.0 + 0.75))
-        shown = values[mesh.triangles]
-        self.assertEqual((shown.min(), shown.max()), (1.0, 3.0))
-        none, _ = fault_maps.reached_part(where, np.full(6, np.nan))
+        x, y = (where.unit.factor * each for each in (mesh.x, mesh.y))
+        corners = np.stack((x, y), axis=1)[mesh.triangles]
+        sides = corners[:, 1:] - corners[:, :1]
+        area = 0.5 * np.abs(sides[:, 0, 0] * sides[:, 1, 1] - sides[:, 0, 1] * sides[:, 1, 0])
+        self.assertLess(abs(area.sum() / (np.pi * radius**2) - 1.0), 0.06)
+        cuts = np.arange(strike.size, x.size)  # behind the nodes come the points of the border
+        away = np.hypot(x[cuts] - centre[0], y[cuts] - centre[1]) - radius
+        self.assertLess(np.abs(away).max(), 0.5 * surface.STEP)
+        self.assertLess(np.std(away), 0.2 * surface.STEP)
+        self.assertLessEqual(values[mesh.triangles].max(), radius / surface.SPEED)
+        none, _ = fault_maps.reached_part(where, np.full(strike.size, np.nan))
         self.assertIsNone(none)
 
     def test_patterns_have_hypocentres_and_long_faults_few_columns(self):
