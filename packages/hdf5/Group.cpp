@@ -69,6 +69,49 @@ void mapRows(Handle const& properties, Handle const& space, Shape const& shape, 
                           source.get());
   });
 }
+// The part of a dataset of this shape that begins at `start`.
+Handle selected(Shape const& shape, Shape const& start, Shape const& count, std::string const& what)
+{
+  Handle space = makeSpace(shape, shape, what);
+  checked("Selecting a part of " + what, [&] {
+    return H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(),
+                               nullptr);
+  });
+  return space;
+}
+
+// The number of columns from `begin` on that show one component after the other.
+std::size_t runLength(std::vector<int> const& columns, std::size_t begin)
+{
+  std::size_t length = 1;
+  while (begin + length < columns.size() &&
+         columns[begin + length] == columns[begin] + static_cast<int>(length)) {
+    ++length;
+  }
+  return length;
+}
+
+// Maps components of the row, one after the other, to the columns from `begin` on.
+void mapColumns(Handle const& properties, VirtualRow const& row, std::size_t begin,
+                std::size_t length, std::string const& what)
+{
+  Shape start(row.shape.size(), 0), count(row.shape.size(), 1);
+  start[0] = row.row;
+  count[1] = row.points;
+  if (start.size() > 2) {
+    start[2] = static_cast<hsize_t>(row.columns[begin]);
+    count[2] = length;
+  }
+  const Handle source = selected(row.shape, start, count, what);
+  const bool has_columns = row.columns.size() > 1;
+  const Handle target =
+    has_columns ? selected({row.points, row.columns.size()}, {0, begin}, {row.points, length}, what)
+                : selected({row.points}, {0}, {row.points}, what);
+  checked("Mapping a row of " + row.file + " into " + what, [&] {
+    return H5Pset_virtual(properties.get(), target.get(), row.file.c_str(), row.path.c_str(),
+                          source.get());
+  });
+}
 } // namespace
 
 // HDF5 demands that every group on the way exists.
@@ -210,5 +253,27 @@ Dataset Group::createVirtual(std::string const& path, Type type, Shape const& ro
   }
   checked("Selecting all of " + what, [&] { return H5Sselect_all(space.get()); });
   return createWith(path, native(type), space, properties);
+}
+
+Dataset Group::createVirtualRow(std::string const& path, Type type, VirtualRow const& row)
+{
+  const std::string what = describe(path);
+  auto const& columns = row.columns;
+  const Shape shape = columns.size() > 1 ? Shape{row.points, columns.size()} : Shape{row.points};
+  if (row.points == 0) {
+    return create(path, type, shape); // HDF5 refuses an empty selection
+  }
+  const Handle properties = makeProperties(H5P_DATASET_CREATE, what);
+  if (std::find(columns.begin(), columns.end(), -1) == columns.end()) {
+    fillGaps(properties, type, what); // else HDF5's own 0 fills the columns of zeros
+  }
+  for (std::size_t begin = 0; begin < columns.size();) {
+    const std::size_t length = columns[begin] < 0 ? 1 : runLength(columns, begin);
+    if (columns[begin] >= 0) {
+      mapColumns(properties, row, begin, length, what);
+    }
+    begin += length;
+  }
+  return createWith(path, native(type), makeSpace(shape, shape, what), properties);
 }
 } // namespace asperity::h5

@@ -16,6 +16,18 @@ struct VirtualPart
   hsize_t num_rows = 0;
 };
 
+// One row of a dataset (rows, points) or (rows, points, components) of another file: its first
+// `points` points, and of them the components that `columns` names; -1 is a column of zeros.
+struct VirtualRow
+{
+  std::string file; // relative to the folder of the file that shows the row
+  std::string path; // of the dataset
+  Shape shape;      // of the dataset
+  hsize_t row = 0;
+  hsize_t points = 0;
+  std::vector<int> columns = {0};
+};
+
 // Paths of objects use '/'; missing groups are made.
 class Group : public Object
 {
@@ -50,6 +62,10 @@ public:
   // The rows of the parts, one part after the other. Where a part is missing, nan or -1 is read.
   Dataset createVirtual(std::string const& path, Type type, Shape const& row_shape,
                         std::vector<VirtualPart> const& parts);
+
+  // A row as a dataset of its own, which has no copy of the numbers: (points), or (points, columns)
+  // if there are several columns.
+  Dataset createVirtualRow(std::string const& path, Type type, VirtualRow const& row);
 
   // Makes `path` a link to the object of the same path in `file`, a path relative to this file's
   // folder.

@@ -25,7 +25,8 @@ struct Piece
 
 using Integers = std::vector<std::int64_t>;
 
-Integers integers(std::vector<GlobalOrdinal> const& values)
+template <class Number>
+Integers integers(std::vector<Number> const& values)
 {
   return {values.begin(), values.end()};
 }
@@ -43,6 +44,10 @@ void writeParts(h5::File& file, OutputDomain const& domain)
   for (auto const& part : domain.parts) {
     names.push_back(part.name);
     ends.insert(ends.end(), {part.begin, part.end});
+  }
+  if (!domain.boundaries.empty() && !domain.isCurve()) {
+    describe(file.createTexts("geometry/boundary_names", domain.boundaries), "-",
+             "Boundaries of the mesh that the domain is made of.");
   }
   if (!names.empty()) {
     describe(file.createTexts("geometry/part_names", names), "-",
@@ -98,6 +103,18 @@ Piece elementPiece(std::string const& name, std::string const& description,
           {static_cast<hsize_t>(first), static_cast<hsize_t>(count)}};
 }
 
+// Of a surface that is made of several boundaries.
+Piece boundaryPiece(OutputDomain const& domain, ElementBlocks const& elements)
+{
+  const std::vector<double> own(domain.element_boundaries.begin(), domain.element_boundaries.end());
+  return {"element_boundaries",
+          "-",
+          "The boundary of each element, as a row of boundary_names.",
+          {static_cast<hsize_t>(elements.total())},
+          integers(elements(own, 1, 1)),
+          {static_cast<hsize_t>(elements.first()), static_cast<hsize_t>(elements.count())}};
+}
+
 void create(std::filesystem::path const& path, std::vector<Piece> const& pieces,
             OutputDomain const& domain)
 {
@@ -138,6 +155,9 @@ GeometryFile writeGeometry(std::filesystem::path const& directory, std::string c
                                   "The first ones of `connectivity`, which do not reach across a "
                                   "period.",
                                   elements, elements.numWhole(), domain.nodes_per_element));
+  }
+  if (!domain.boundaries.empty() && !domain.isCurve()) {
+    pieces.push_back(boundaryPiece(domain, elements));
   }
   const auto path = directory / result.name;
   onRoot(comm, [&] { create(temporaryName(path), pieces, domain); });

@@ -99,9 +99,10 @@ void SegmentedSeries::closeSegment(int index)
   table_.closeSegment(index);
   onRoot(*domain_.comm, [&] {
     if (index == 0) {
-      detail::startXdmf(layout_, table_.geometry());
+      detail::removeXdmf(layout_);
     }
     const std::int64_t rows = table_.rowsOfSegment().back();
+    detail::writeXdmfRows(layout_, table_.geometry(), index, rows);
     detail::appendToXdmf(layout_, table_.geometry(), index, times_.data() + times_.size() - rows,
                          rows);
   });
@@ -118,11 +119,18 @@ void SegmentedSeries::restore(Archive const& archive)
   table_.restore(archive);
   times_ = archive.get<std::vector<double>>("times");
   onRoot(*domain_.comm, [&] {
-    detail::startXdmf(layout_, table_.geometry());
+    detail::removeXdmf(layout_);
     double const* times = times_.data();
     for (std::size_t i = 0; i < table_.rowsOfSegment().size(); ++i) {
-      detail::appendToXdmf(layout_, table_.geometry(), i, times, table_.rowsOfSegment()[i]);
-      times += table_.rowsOfSegment()[i];
+      const std::int64_t rows = table_.rowsOfSegment()[i];
+      if (!std::filesystem::exists(detail::xdmfRowsPath(layout_, i))) { // of an older program
+        detail::writeXdmfRows(layout_, table_.geometry(), i, rows);
+      }
+      detail::appendToXdmf(layout_, table_.geometry(), i, times, rows);
+      times += rows;
+    }
+    for (std::size_t i = table_.rowsOfSegment().size();
+         std::filesystem::remove(detail::xdmfRowsPath(layout_, i)); ++i) {
     }
   });
 }

@@ -100,6 +100,31 @@ TEST_F(H5, VirtualDatasetJoinsFilesAndSkipsEmptyParts)
   EXPECT_EQ(index.createVirtual("none", h5::Type::int64, {4}, {}).shape(), (h5::Shape{0, 4}));
 }
 
+TEST_F(H5, AVirtualRowShowsComponentsOfARowAndZeros)
+{
+  const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}; // (2, 3, 2)
+  auto stored = h5::File::create(path("stored"));
+  stored.createExtendable("f/u", h5::Type::float64, {3, 2}, 8).appendPart(values.data(), 2, {0, 3});
+  stored.close();
+  h5::VirtualRow row;
+  row.file = path("stored").filename().string();
+  row.path = "/f/u";
+  row.shape = {2, 3, 2};
+  row.row = 1;
+  row.points = 2; // of three
+  row.columns = {1, 0, -1, 0, 1};
+  auto shown = h5::File::create(path("shown"));
+  const auto columns = shown.createVirtualRow("u/1", h5::Type::float64, row);
+  EXPECT_EQ(columns.shape(), (h5::Shape{2, 5}));
+  EXPECT_EQ(columns.read<double>(), (std::vector<double>{8, 7, 0, 7, 8, 10, 9, 0, 9, 10}));
+  row.columns = {1};
+  const auto scalar = shown.createVirtualRow("v/1", h5::Type::float64, row);
+  EXPECT_EQ(scalar.shape(), h5::Shape{2});
+  EXPECT_EQ(scalar.read<double>(), (std::vector<double>{8, 10}));
+  row.points = 0;
+  EXPECT_EQ(shown.createVirtualRow("none", h5::Type::float64, row).shape(), h5::Shape{0});
+}
+
 TEST_F(H5, TextsOfFixedLengthReadBackFromASealedFile)
 {
   const std::vector<std::string> texts{"left of it", "", "right"};

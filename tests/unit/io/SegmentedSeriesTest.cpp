@@ -198,14 +198,44 @@ TEST(SegmentedSeries, XdmfPointsIntoTheSegments)
   const std::string text = test::contents(directory / "fault.xdmf");
   EXPECT_EQ(countOf(text, "<Time Value="), 3u);
   EXPECT_EQ(countOf(text, "Name=\"alpha\" AttributeType=\"Scalar\""), 3u);
-  EXPECT_EQ(countOf(text, "Name=\"slip_x\""), 3u);
-  EXPECT_EQ(countOf(text, "Name=\"slip_y\""), 3u);
-  EXPECT_EQ(countOf(text, "segments/fault_000001.h5:/fields/alpha"), 1u);
-  test::expectParts(text, {"<Time Value=\"0.125\"/>",
-                           "<DataItem Format=\"XML\" Dimensions=\"3 2\">1 0 1 1 1 6",
-                           "Precision=\"4\" Dimensions=\"2 6\">segments/fault_000000.h5",
-                           "Dimensions=\"3 3\">0 0 1 1 1 1 1 6 1</DataItem>",
-                           "NodesPerElement=\"2\" NumberOfElements=\"5\""});
+  EXPECT_EQ(countOf(text, "Name=\"slip\" AttributeType=\"Vector\""), 3u);
+  EXPECT_EQ(countOf(text, "segments/fault_000001_rows.h5:/alpha/"), 1u);
+  test::expectParts(text,
+                    {"<Time Value=\"0.125\"/>",
+                     "Precision=\"4\" Dimensions=\"6\">segments/fault_000000_rows.h5:/alpha/1<",
+                     "Dimensions=\"6 3\">segments/fault_000000_rows.h5:/slip/0<",
+                     "NodesPerElement=\"2\" NumberOfElements=\"5\""});
+}
+
+TEST(SegmentedSeries, WithoutRowsThereIsNoXdmf)
+{
+  test::TemporaryDirectory directory;
+  Series run(directory.path());
+  run.series.closeSegment(0);
+  EXPECT_FALSE(fs::exists(directory / "fault.xdmf"));
+  run.append(1);
+  run.series.closeSegment(1);
+  EXPECT_TRUE(fs::exists(directory / "fault.xdmf"));
+}
+
+TEST(SegmentedSeries, ARestartMakesTheXdmfOfWhatItContinues)
+{
+  test::TemporaryDirectory directory;
+  Archive archive;
+  {
+    Series run(directory.path());
+    run.append(2);
+    run.series.closeSegment(0);
+    run.series.save(archive);
+    run.append(3); // the checkpoint after this segment was never written
+    run.series.closeSegment(1);
+  }
+  test::onRankZero([&] { fs::remove(directory / "segments/fault_000000_rows.h5"); });
+  Series run(directory.path());
+  run.series.restore(archive);
+  EXPECT_EQ(countOf(test::contents(directory / "fault.xdmf"), "<Time Value="), 2u);
+  EXPECT_TRUE(fs::exists(directory / "segments/fault_000000_rows.h5"));
+  EXPECT_FALSE(fs::exists(directory / "segments/fault_000001_rows.h5"));
 }
 
 TEST(SegmentedSeries, H5pyReadsTheFolderWhereverItIs)

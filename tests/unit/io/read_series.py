@@ -25,14 +25,26 @@ def check_index(path):
 
 
 def check_xdmf(path):
-    """Every array that the XDMF file names exists and has the shape it says."""
+    """Every array that the XDMF file names exists, with the shape it says and the row's numbers."""
     root = xml.etree.ElementTree.parse(path).getroot()
-    items = [item for item in root.iter("DataItem") if item.get("Format") == "HDF"]
-    assert len(items) == 2 + 11 * 3
-    for item in items:
-        name, dataset = item.text.split(":")
-        with h5py.File(os.path.join(os.path.dirname(path), name), "r") as file:
-            assert file[dataset].shape == tuple(map(int, item.get("Dimensions").split()))
+    grids = root.findall("Domain/Grid/Grid")
+    assert len(grids) == 11
+    for row, grid in enumerate(grids):
+        arrays = [read(path, item) for item in grid.iter("DataItem")]
+        node = numpy.arange(6.0)
+        assert len(arrays) == 4  # elements, coordinates, alpha, slip
+        assert numpy.array_equal(arrays[2], row + node / 16)
+        assert arrays[3].shape == (6, 3)
+        assert numpy.array_equal(arrays[3][:, 1], -node)
+        assert not arrays[3][:, 2].any()
+
+
+def read(path, item):
+    name, dataset = item.text.split(":")
+    with h5py.File(os.path.join(os.path.dirname(path), name), "r") as file:
+        values = file[dataset][()]
+    assert values.shape == tuple(map(int, item.get("Dimensions").split()))
+    return values
 
 
 check_index(sys.argv[1])
