@@ -67,9 +67,32 @@ void refuseAssignment(std::string const& text, std::string const& path)
   }
 }
 
+// Whether a text that is no expression looks like the name of a file: it ends like one, and has no
+// operation and no space.
+bool looksLikeFile(std::string const& text)
+{
+  const auto point = text.find_last_of('.');
+  if (point == std::string::npos || point + 1 == text.size() ||
+      text.find_first_of(" \t\n+*^()<>=&|,?") != std::string::npos) {
+    return false;
+  }
+  const std::string ending = text.substr(point + 1);
+  return ending.size() <= 5 && std::isalpha(static_cast<unsigned char>(ending.front())) != 0 &&
+         std::all_of(ending.begin(), ending.end(),
+                     [](unsigned char letter) { return std::isalnum(letter) != 0; });
+}
+
 [[noreturn]] void refuse(std::string const& text, std::string const& path,
                          mu::ParserError const& error)
 {
+  ASPERITY_REQUIRE(
+    !looksLikeFile(text),
+    path
+      << " = '" << excerpt(text)
+      << "' looks like the name of a file, and is no expression. A file is given as "
+         "'file.h5:/dataset': an HDF5 dataset with one number for each vertex of the mesh. Files "
+         "of other kinds are not read; write their numbers into such a dataset, or as an "
+         "expression in x, y, z.");
   const auto position = static_cast<std::size_t>(error.GetPos());
   std::ostringstream message;
   message << path << " = '" << excerpt(text)

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"
+#include "base/NearestName.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -23,6 +24,50 @@ void orRefuse(std::string const& path, std::string const& name, Read const& read
   } catch (h5::Error const& error) {
     throw InputError(path + " = '" + name + "' cannot be read. " + error.what());
   }
+}
+
+// Where a file is not: the folder in which it was looked for, if there is one.
+std::string whereNot(std::string const& file_name)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  const fs::path folder = fs::absolute(file_name).lexically_normal().parent_path();
+  fs::path known = folder;
+  while (!fs::is_directory(known, ignored) && known.has_parent_path() &&
+         known != known.parent_path()) {
+    known = known.parent_path();
+  }
+  std::string text = "The folder " + folder.string();
+  if (known != folder) {
+    text += " does not exist; " + known.string() + " does.";
+  } else {
+    std::vector<std::string> names;
+    for (auto const& entry : fs::directory_iterator(folder, ignored)) {
+      names.push_back(entry.path().filename().string());
+    }
+    const auto nearest = nearestName(fs::path(file_name).filename().string(), names);
+    text += " has no such file." + (nearest.empty() ? "" : " Did you mean '" + nearest + "'?");
+  }
+  return text + (fs::path(file_name).is_absolute()
+                   ? ""
+                   : " A name is relative to the deck's folder, or else to the folder in which the "
+                     "program starts.");
+}
+
+// Paths of what the file has, down to the members of its groups.
+std::vector<std::string> namesBelow(h5::File const& file)
+{
+  std::vector<std::string> names;
+  for (auto const& name : file.names()) {
+    names.push_back("/" + name);
+    try {
+      for (auto const& member : file.openGroup(name).names()) {
+        names.push_back("/" + name + "/" + member);
+      }
+    } catch (h5::Error const&) { // a dataset
+    }
+  }
+  return names;
 }
 
 std::size_t colonBeforeDataset(std::string const& text)
@@ -49,7 +94,8 @@ VertexDataset::VertexDataset(std::string const& name, std::string const& path)
 {
   std::error_code ignored;
   ASPERITY_REQUIRE(std::filesystem::exists(file_name_, ignored),
-                   path << " = '" << name << "': there is no file '" << file_name_ << "'.");
+                   path << " = '" << name << "': there is no file '" << file_name_ << "'. "
+                        << whereNot(file_name_));
   orRefuse(path, name, [&] {
     const h5::Dataset dataset = open();
     const h5::Shape shape = dataset.shape();
@@ -72,7 +118,8 @@ h5::Dataset VertexDataset::open() const
   try {
     return file->openDataset(dataset_name_); // keeps the file open
   } catch (h5::Error const&) {
-    throw InputError(where + " has no dataset '" + dataset_name_ + "'.");
+    throw InputError(where + " has no dataset '" + dataset_name_ + "'." +
+                     didYouMean(dataset_name_, namesBelow(*file)));
   }
 }
 

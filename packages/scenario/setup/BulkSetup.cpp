@@ -164,9 +164,9 @@ class Elasticity
 {
 public:
   Elasticity(ParameterList const& list, std::vector<std::string> const& region_names)
-      : bulk_(read(list, bulk_modulus, region_names))
-      , shear_(read(list, shear_modulus, region_names))
-      , poisson_(read(list, poisson, region_names))
+      : bulk_(fieldOf(list, bulk_modulus, region_names))
+      , shear_(fieldOf(list, shear_modulus, region_names))
+      , poisson_(fieldOf(list, poisson, region_names))
       , antiplane_(displacementComponents(list) == 1)
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
@@ -177,9 +177,19 @@ public:
                                        << (antiplane_ ? ", or the shear modulus alone." : "."));
   }
 
-  void set(fem::Material& material, std::array<double, 3> const& x, int region) const
+  template <int Dim>
+  void read(Mesh<Dim> const& mesh)
   {
-    auto const at = [&](std::optional<Field> const& field) { return (*field)(x, 0, region); };
+    for (auto* field : {&bulk_, &shear_, &poisson_}) {
+      if (*field) {
+        (*field)->read(mesh);
+      }
+    }
+  }
+
+  void set(fem::Material& material, CellPlace const& place) const
+  {
+    auto const at = [&](std::optional<CellField> const& field) { return (*field)(place); };
     if (shear_) {
       material.shear_modulus = at(shear_);
     } else {
@@ -195,15 +205,15 @@ public:
   }
 
 private:
-  static std::optional<Field> read(ParameterList const& list, char const* name,
-                                   std::vector<std::string> const& region_names)
+  static std::optional<CellField> fieldOf(ParameterList const& list, char const* name,
+                                          std::vector<std::string> const& region_names)
   {
     return isGiven(list, name)
-             ? std::optional<Field>(steadyField(list, name, bulk_path, region_names))
+             ? std::optional<CellField>(steadyField(list, name, bulk_path, region_names))
              : std::nullopt;
   }
 
-  std::optional<Field> bulk_, shear_, poisson_;
+  std::optional<CellField> bulk_, shear_, poisson_;
   bool antiplane_;
 };
 
@@ -256,20 +266,27 @@ public:
       : law_(fem::bulkLaws().at(list.get<std::string>(law_choice)))
   {
     for (auto const& parameter : law_.parameters) {
-      fields_.push_back(steadyField(list, parameter.name, path, region_names, used));
+      fields_.emplace_back(steadyField(list, parameter.name, path, region_names, used));
     }
     values_.resize(fields_.size());
   }
 
-  // Completes the material of a cell with this centroid; returns what relaxes in it.
-  std::vector<fem::RelaxingShare> apply(int cell, std::array<double, 3> const& x, int region,
-                                        fem::Material& material)
+  template <int Dim>
+  void read(Mesh<Dim> const& mesh)
+  {
+    for (auto& field : fields_) {
+      field.read(mesh);
+    }
+  }
+
+  // Completes the material of a cell; returns what relaxes in it.
+  std::vector<fem::RelaxingShare> apply(CellPlace const& place, fem::Material& material)
   {
     std::transform(fields_.begin(), fields_.end(), values_.begin(),
-                   [&](Field const& field) { return field(x, 0, region); });
+                   [&](CellField const& field) { return field(place); });
     law_.complete(values_.data(), material);
     if (law_.yield) {
-      yielding_.cells.push_back(cell);
+      yielding_.cells.push_back(place.cell);
       yielding_.parameters.insert(yielding_.parameters.end(), values_.begin(), values_.end());
     }
     return law_.relaxation(values_.data(), material);
@@ -285,10 +302,17 @@ public:
 
 private:
   fem::BulkLaw law_;
-  std::vector<Field> fields_;
+  std::vector<CellField> fields_;
   std::vector<double> values_;
   fem::YieldingRock::Part yielding_;
 };
+
+template <int Dim>
+CellPlace placeOf(Mesh<Dim> const& mesh, std::size_t cell)
+{
+  const int number = static_cast<int>(cell);
+  return {number, inSpace<Dim>(fem::simplexOf(mesh, number).centroid), mesh.cell_regions[cell]};
+}
 
 // None if no rank has a cell that yields.
 template <int Dim>
@@ -308,11 +332,11 @@ std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Di
     return std::nullopt;
   }
   const int components = displacementComponents(list);
-  const StressAtStart stress(list.sublist(StressAtStart::list_name), mesh.region_names);
+  StressAtStart stress(list.sublist(StressAtStart::list_name), mesh.region_names);
   onEveryRank(communicator, [&] {
+    stress.read(mesh);
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-      auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
-      stress.append(x, mesh.cell_regions[cell], components, rock);
+      stress.append(placeOf(mesh, cell), components, rock);
     }
   });
   return rock;
@@ -323,8 +347,8 @@ template <int Dim>
 Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator)
 {
   auto const& regions = mesh.region_names;
-  const Elasticity elasticity(list, regions);
-  auto const density = steadyField(list, "Density", bulk_path, regions);
+  Elasticity elasticity(list, regions);
+  CellField density(steadyField(list, "Density", bulk_path, regions));
   auto const& own_laws = list.sublist(in_regions);
   std::vector<bool> of_main_law(regions.size(), true);
   std::map<std::size_t, LawOfRock> own;
@@ -343,13 +367,17 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
   std::vector<fem::Material> materials(mesh.cells.size());
   std::vector<std::vector<fem::RelaxingShare>> relaxation;
   onEveryRank(communicator, [&] { // a region may lie on one rank alone
+    density.read(mesh);
+    elasticity.read(mesh);
+    for (auto& law : laws) {
+      law.read(mesh);
+    }
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-      auto const x = inSpace<Dim>(fem::simplexOf(mesh, static_cast<int>(cell)).centroid);
-      const int region = mesh.cell_regions[cell];
+      auto const place = placeOf(mesh, cell);
       auto& material = materials[cell];
-      material.density = density(x, 0, region);
-      elasticity.set(material, x, region);
-      relaxation.push_back(laws[region].apply(static_cast<int>(cell), x, region, material));
+      material.density = density(place);
+      elasticity.set(material, place);
+      relaxation.push_back(laws[place.region].apply(place, material));
     }
   });
   auto branches = branchesOf(relaxation, materials, communicator);

@@ -100,4 +100,25 @@ std::vector<double> nodalValues(ParameterList const& list, std::string const& na
 {
   return NodalField(steadyField(list, name, path, nodes.region_names), nodes).at(0);
 }
+
+template <int Dim>
+void CellField::read(Mesh<Dim> const& mesh)
+{
+  if (!field_.isDataset() || !means_.empty()) {
+    return;
+  }
+  const std::vector<long long> ids(mesh.global_ids.begin(), mesh.global_ids.end());
+  const auto values = field_.values(ids, mesh.num_global_vertices);
+  means_.reserve(mesh.cells.size());
+  for (auto const& cell : mesh.cells) {
+    double sum = 0;
+    for (const int vertex : cell) {
+      sum += values[vertex];
+    }
+    means_.push_back(sum / static_cast<double>(cell.size()));
+  }
+}
+
+template void CellField::read(Mesh<2> const&);
+template void CellField::read(Mesh<3> const&);
 } // namespace asperity::scenario

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace asperity::scenario
@@ -74,4 +75,35 @@ std::array<double, 3> inSpace(Point<Dim> const& x)
 {
   return {x[0], x[1], Dim == 3 ? x[Dim - 1] : 0};
 }
+
+// A local cell of a mesh, with its centroid [m] as expressions see it, and its region.
+struct CellPlace
+{
+  int cell;
+  std::array<double, 3> centroid;
+  int region;
+};
+
+// The values in cells of a field that does not change in time: at the centroids, or of a dataset
+// the means over the vertices.
+class CellField
+{
+public:
+  explicit CellField(Field field) : field_(std::move(field)) {}
+
+  // Reads the values of a dataset, and does nothing for another field. Call it before the first
+  // value is taken. InputError, maybe on one rank alone.
+  template <int Dim>
+  void read(Mesh<Dim> const& mesh);
+
+  // InputError outside the declared range.
+  double operator()(CellPlace const& place) const
+  {
+    return field_.isDataset() ? means_[place.cell] : field_(place.centroid, 0, place.region);
+  }
+
+private:
+  Field field_;
+  std::vector<double> means_; // (num local cells) of a dataset
+};
 } // namespace asperity::scenario

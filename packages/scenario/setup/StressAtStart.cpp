@@ -24,18 +24,17 @@ StressAtStart::StressAtStart(ParameterList const& list,
 {
   for (char const* name : component_names) {
     fields_.push_back(isGiven(list, name)
-                        ? std::optional<Field>(
+                        ? std::optional<CellField>(
                             steadyField(list, name, joinPath(bulk_path, list_name), region_names))
                         : std::nullopt);
   }
 }
 
-void StressAtStart::append(std::array<double, 3> const& x, int region, int components,
-                           fem::YieldingRock& rock) const
+void StressAtStart::append(CellPlace const& place, int components, fem::YieldingRock& rock) const
 {
   std::array<double, 6> value{};
   for (std::size_t k = 0; k < fields_.size(); ++k) {
-    value[k] = fields_[k] ? (*fields_[k])(x, 0, region) : 0;
+    value[k] = fields_[k] ? (*fields_[k])(place) : 0;
   }
   auto const [xx, xy, xz, yy, yz, zz] = value;
   const std::vector<double> tensor = components == 1 ? std::vector<double>{xz, yz}

@@ -16,12 +16,22 @@ public:
 
   StressAtStart(ParameterList const& list, std::vector<std::string> const& region_names);
 
-  // Appends the stress of a cell with the centroid x [m] to those of the rock. components: of the
-  // displacement; antiplane, only the mean has diagonal entries.
-  void append(std::array<double, 3> const& x, int region, int components,
-              fem::YieldingRock& rock) const;
+  // As CellField::read.
+  template <int Dim>
+  void read(Mesh<Dim> const& mesh)
+  {
+    for (auto& field : fields_) {
+      if (field) {
+        field->read(mesh);
+      }
+    }
+  }
+
+  // Appends the stress of a cell to those of the rock. components: of the displacement; antiplane,
+  // only the mean has diagonal entries.
+  void append(CellPlace const& place, int components, fem::YieldingRock& rock) const;
 
 private:
-  std::vector<std::optional<Field>> fields_; // of the components that are given
+  std::vector<std::optional<CellField>> fields_; // of the components that are given
 };
 } // namespace asperity::scenario

@@ -179,7 +179,7 @@ class Decks(Case):
     def test_datasets_where_there_is_no_vertex(self):
         with h5py.File("fields.h5", "w") as file:
             file["values"] = numpy.full(25, 1000.0)
-        for name in ("Bulk/Density", "Boundary Conditions/Drive/Velocity", "Mesh/Regions/core"):
+        for name in ("Boundary Conditions/Drive/Velocity", "Mesh/Regions/core"):
             self.assert_setting_refused(f"{name}=fields.h5:/values",
                                         f"Asperity / {name.replace('/', ' / ')} is a dataset")
 

@@ -264,9 +264,20 @@ TEST(FieldDataset, Refusals)
       fieldOf(file + ":/a", Range::positive()).values({0, 1}, 4);
     },
     {"Friction / a", "-2", "vertex 1", "(0, inf)"});
-  expectRefusal([&] { fieldOf(file + ":/b"); }, {"Friction / a", "no dataset '/b'"});
+  expectRefusal([&] { fieldOf(file + ":/b"); },
+                {"Friction / a", "no dataset '/b'", "Did you mean '/a'?"});
   expectRefusal([&] { fieldOf(directory.file("none.h5") + ":/a"); },
-                {"Friction / a", "no file", "none.h5"});
+                {"Friction / a", "no file", "none.h5", "has no such file"});
+  expectRefusal([&] { fieldOf(directory.file("feild.h5") + ":/a"); },
+                {"has no such file. Did you mean 'field.h5'?"});
+  expectRefusal([&] { fieldOf(directory.file("data/field.h5") + ":/a"); },
+                {"data does not exist; "});
+  expectRefusal([&] { fieldOf("none/field.h5:/a"); }, {"relative to the deck's folder"});
+  for (std::string const name : {"friction.csv", "data/friction.nc", "a.txt"}) {
+    expectRefusal([&] { fieldOf(name); }, {"Friction / a = '" + name + "'", "name of a file",
+                                           "'file.h5:/dataset'", "one number for each vertex"});
+  }
+  expectRefusal([&] { fieldOf("1.5e"); }, {"no valid expression"});
   const auto text = directory.write("text.h5", "not HDF5");
   expectRefusal([&] { fieldOf(text + ":/a"); }, {"Friction / a", "cannot be read as an HDF5 file"});
   writeDataset(file, "square", {1, 2, 3, 4}, {2, 2});

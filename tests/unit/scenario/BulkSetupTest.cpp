@@ -1,6 +1,8 @@
 #include "scenario/setup/BulkSetup.hpp"
 
 #include "SampleDeck.hpp"
+#include "hdf5/File.hpp"
+#include "unit/base/TemporaryDirectory.hpp"
 
 namespace asperity::scenario
 {
@@ -86,6 +88,42 @@ TEST(BulkSetup, NeedsTheShearModulusAloneInAntiplane)
       makeMaterials(bulkList({{"Bulk Modulus", bulk}}, beAntiplane), mesh);
     },
     {"Asperity / Bulk", "1 of", "or the shear modulus alone"});
+}
+
+// Means over the vertices of a field that is linear in place are its values at the centroids.
+TEST(BulkSetup, TakesMeansOfADatasetOverTheVerticesOfACell)
+{
+  const auto mesh = twoRegions();
+  std::vector<double> values(mesh.num_global_vertices);
+  for (std::size_t vertex = 0; vertex < mesh.vertices.size(); ++vertex) {
+    auto const& x = mesh.vertices[vertex];
+    values[mesh.global_ids[vertex]] = shear * (1 + 0.1 * x[0] - 0.05 * x[1]);
+  }
+  const TemporaryDirectory directory;
+  auto file = h5::File::create(directory.file("rock.h5"));
+  file.store("G", values.data(), {values.size()});
+  file.close();
+  const std::string name = directory.file("rock.h5") + ":/G";
+  const auto given = [&](char const* parameter) {
+    return makeMaterials(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+                                  [&](ParameterList& list) {
+                                    list.remove(parameter);
+                                    list.set(parameter, name);
+                                  }),
+                         mesh);
+  };
+  auto const by_modulus = given("Shear Modulus"), by_density = given("Density");
+  auto const by_viscosity = given("Shear Viscosity");
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    double expected = 0;
+    for (const int vertex : mesh.cells[cell]) {
+      auto const& x = mesh.vertices[vertex];
+      expected += shear * (1 + 0.1 * x[0] - 0.05 * x[1]) / 3;
+    }
+    EXPECT_NEAR(by_modulus[cell].shear_modulus, expected, 1e-12 * shear);
+    EXPECT_NEAR(by_density[cell].density, expected, 1e-12 * shear);
+    EXPECT_NEAR(by_viscosity[cell].shear_viscosity, expected, 1e-12 * shear);
+  }
 }
 
 TEST(BulkSetup, EvaluatesFieldsByRegionAndPlace)
