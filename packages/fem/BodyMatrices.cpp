@@ -4,6 +4,8 @@
 #include "base/program/WorkTimers.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/detail/AssembleRows.hpp"
+#include "fem/detail/PatchViews.hpp"
+#include "fem/volumetric/PatchedBody.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
@@ -18,22 +20,35 @@ using Adjacency = std::vector<std::vector<int>>;
 
 // Neighbours (itself included, ascending) of every owned node.
 template <int Dim>
-Adjacency neighbours(Mesh<Dim> const& mesh, NodalFrames const& frames)
+Adjacency neighbours(Mesh<Dim> const& mesh, NodalFrames const& frames,
+                     VolumetricPatches const& patches)
 {
   Adjacency adjacency(mesh.num_owned);
   std::vector<int> nodes;
-  for (auto const& cell : mesh.cells) {
-    nodes.clear();
-    for (int vertex : cell) {
+  auto const note_nodes = [&](int cell) {
+    for (int vertex : mesh.cells[cell]) {
       for (auto const& term : frames.terms(vertex)) {
         nodes.push_back(term.node);
       }
     }
+  };
+  auto const couple_nodes = [&] {
     for (int p : nodes) {
       if (p < mesh.num_owned) {
         adjacency[p].insert(adjacency[p].end(), nodes.begin(), nodes.end());
       }
     }
+    nodes.clear();
+  };
+  for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
+    note_nodes(static_cast<int>(cell));
+    couple_nodes();
+  }
+  for (auto const& patch : patches.patches) {
+    std::for_each(patch.cells.begin(), patch.cells.end(), note_nodes);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    couple_nodes();
   }
   for (int p = 0; p < mesh.num_owned; ++p) {
     auto& row = adjacency[p];
@@ -81,21 +96,46 @@ RCP<const CrsGraph> graphOf(Adjacency const& adjacency, DofMap const& dofs)
 // M, C and K of materials without relaxation on a graph.
 template <int Dim, int Components>
 BodyMatrices assembleOn(RCP<const CrsGraph> const& graph, Mesh<Dim> const& mesh, DofMap const& dofs,
-                        NodalFrames const& frames, std::vector<Material> const& materials)
+                        NodalFrames const& frames, std::vector<Material> const& materials,
+                        VolumetricPatches const& patches)
 {
   auto mass = rcp(new CrsMatrix(graph));
   auto viscosity = rcp(new CrsMatrix(graph));
   auto stiffness = rcp(new CrsMatrix(graph));
   Kokkos::parallel_for("asperity::fem::assembleRows", RangePolicy(0, mesh.num_owned),
                        detail::AssembleRows<Dim, Components>{
-                         detail::makeCellViews(mesh, frames, materials),
+                         detail::makeCellViews(mesh, frames, patches.ownMaterials(materials)),
                          mass->getLocalMatrixDevice(), viscosity->getLocalMatrixDevice(),
                          stiffness->getLocalMatrixDevice()});
+  if constexpr (Components == Dim) {
+    if (!patches.empty()) {
+      Kokkos::parallel_for("asperity::fem::addPatches", RangePolicy(0, mesh.num_owned),
+                           detail::AddPatches<Dim>{detail::makePatchViews(mesh, frames, patches),
+                                                   stiffness->getLocalMatrixDevice()});
+    }
+  }
   ExecutionSpace().fence();
   mass->fillComplete(dofs.owned(), dofs.owned());
   viscosity->fillComplete(dofs.owned(), dofs.owned());
   stiffness->fillComplete(dofs.owned(), dofs.owned());
   return {mass, viscosity, stiffness};
+}
+template <int Dim, int Components>
+BodyMatrices assemble(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                      std::vector<Material> const& materials,
+                      std::vector<MaxwellBranch> const& branches, VolumetricPatches const& patches)
+{
+  ASPERITY_TIME_WORK("assembly");
+  ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
+  auto const graph = graphOf(neighbours(mesh, frames, patches), dofs);
+  auto result =
+    assembleOn<Dim, Components>(graph, mesh, dofs, frames, longTerm(materials, branches), patches);
+  for (auto const& branch : branches) {
+    auto const of_branch =
+      assembleOn<Dim, Components>(graph, mesh, dofs, frames, materialsOf(branch), {});
+    result.branches.push_back({branch.time, of_branch.stiffness});
+  }
+  return result;
 }
 } // namespace
 
@@ -104,17 +144,7 @@ BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames
                           std::vector<Material> const& materials,
                           std::vector<MaxwellBranch> const& branches)
 {
-  ASPERITY_TIME_WORK("assembly");
-  ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
-  auto const graph = graphOf(neighbours(mesh, frames), dofs);
-  auto result =
-    assembleOn<Dim, Components>(graph, mesh, dofs, frames, longTerm(materials, branches));
-  for (auto const& branch : branches) {
-    auto const of_branch =
-      assembleOn<Dim, Components>(graph, mesh, dofs, frames, materialsOf(branch));
-    result.branches.push_back({branch.time, of_branch.stiffness});
-  }
-  return result;
+  return assemble<Dim, Components>(mesh, dofs, frames, materials, branches, {});
 }
 
 template <int Dim, int Components>
@@ -245,6 +275,18 @@ BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames
 }
 
 template <int Dim>
+BodyMatrices assemblePatchedBody(Mesh<Dim> const& mesh, DofMap const& dofs,
+                                 NodalFrames const& frames, std::vector<Material> const& materials,
+                                 std::vector<MaxwellBranch> const& branches,
+                                 VolumetricPatches const& patches)
+{
+  if (patches.of_cell.empty() && dofs.components() < Dim) {
+    return assembleBody<Dim>(mesh, dofs, frames, materials, branches);
+  }
+  return assemble<Dim, Dim>(mesh, dofs, frames, materials, branches, patches);
+}
+
+template <int Dim>
 RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                             std::vector<Material> const& materials,
                             std::array<double, Dim> const& acceleration)
@@ -271,6 +313,9 @@ ASPERITY_INSTANTIATE(3, 3)
   template BodyMatrices assembleBody<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,     \
                                           std::vector<Material> const&,                            \
                                           std::vector<MaxwellBranch> const&);                      \
+  template BodyMatrices assemblePatchedBody(                                                       \
+    Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&,             \
+    std::vector<MaxwellBranch> const&, VolumetricPatches const&);                                  \
   template RCP<Vector> assembleGravity<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,   \
                                             std::vector<Material> const&,                          \
                                             std::array<double, DIM> const&);

@@ -363,13 +363,9 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
         return motionAt(initial, problem.initial, with_velocity);
       }};
   };
-  const catalogue::StressedBody<Dim> body{problem.mesh,
-                                          problem.components,
-                                          problem.materials,
-                                          problem.branches,
-                                          problem.boundary.surface,
-                                          observe,
-                                          yieldedStrain(problem, view)};
+  const catalogue::StressedBody<Dim> body{
+    problem.mesh,    problem.components,       problem.materials, problem.branches,
+    problem.patches, problem.boundary.surface, observe,           yieldedStrain(problem, view)};
   auto const planes = catalogue::coulombPlanes(output, Dim);
   for (auto const& [name, domain] : domains) {
     if (name != "fault") {

@@ -17,6 +17,7 @@
 #include "fem/RigidBodyMotions.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/SupportWeights.hpp"
+#include "fem/volumetric/PatchedBody.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/PointText.hpp"
 #include "parameters/ParameterValue.hpp"
@@ -26,6 +27,7 @@
 #include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/VolumetricSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
@@ -51,6 +53,7 @@ struct Discretisation
   std::shared_ptr<const fem::DofMap> dofs;
   std::shared_ptr<const fem::Constraints<Dim>> constraints;
   Rock rock;
+  fem::VolumetricPatches patches;
   std::vector<double> samples; // times at which conditions are compared [s]
 
   fem::NodalFrames const& frames() const { return constraints->frames(); }
@@ -90,14 +93,17 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }
+  auto const& bulk = deck.sublist("Bulk");
+  auto rock = makeRock(bulk, mesh, *communicator);
+  auto patches = makePatches(bulk, boundary.faults, mesh, rock, *communicator);
   auto const dofs =
     std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
   const double end = finalTime(deck.sublist("Time Stepping"));
   const std::vector<double> samples = {0, end / 3, end};
   auto const constraints =
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
-  auto rock = makeRock(deck.sublist("Bulk"), mesh, *communicator);
-  return {std::move(boundary), std::move(mesh), dofs, constraints, std::move(rock), samples};
+  return {std::move(boundary), std::move(mesh),    dofs,   constraints,
+          std::move(rock),     std::move(patches), samples};
 }
 
 // The viscosity of the body with its absorbing boundaries and the radiation damping of its fault,
@@ -365,8 +371,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto const solver = makeSolverSettings(deck.sublist("TNNMG"), communicator->getSize(), Dim,
                                          of.mesh.num_global_vertices * components);
 
-  auto matrices =
-    fem::assembleBody<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials, of.rock.branches);
+  auto matrices = fem::assemblePatchedBody<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials,
+                                                of.rock.branches, of.patches);
   auto const surface = makeSurface(of, matrices);
   auto const fault_materials = fem::materialsAtNodes(of.mesh, *surface, of.rock.materials);
   auto const nodes = faultNodes(of.mesh, *surface);
@@ -402,6 +408,8 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   requireBearable(of, body, *initial.u);
   auto reaction = reactionSinceStart(of, body, fault, initial);
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
+  auto const locking = warnOfLocking(bulk, of.rock, *communicator);
+  warnings.insert(warnings.end(), locking.begin(), locking.end());
   const bool has_fault = surface->numGlobalNodes() > 0;
   auto beside = valuesBeside(has_fault ? fault_materials : of.rock.materials, eta, initial,
                              components, *communicator);
@@ -425,6 +433,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           surface,
           std::move(of.rock.materials),
           std::move(of.rock.branches),
+          std::move(of.patches),
           fault_materials,
           solver,
           std::move(stress.remarks),

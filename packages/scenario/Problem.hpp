@@ -5,6 +5,7 @@
 #include "dynamics/initial/Model.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
+#include "fem/volumetric/VolumetricPatches.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 #include "scenario/setup/friction/FaultScales.hpp"
@@ -27,6 +28,7 @@ struct Problem : dynamics::Model
   std::shared_ptr<const fem::FaultSurface> surface;
   std::vector<fem::Material> materials;       // (num_cells)
   std::vector<fem::MaxwellBranch> branches;   // of the rock
+  fem::VolumetricPatches patches;             // of cells that share a volumetric strain
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   dynamics::RateSolverSettings solver;
   std::vector<std::string> remarks; // for the user, in the log

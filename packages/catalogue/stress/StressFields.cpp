@@ -21,7 +21,7 @@ public:
   ObservedStress(StressedBody<Dim> const& body, std::vector<int> const& cells, bool are_few,
                  Communicator const& comm)
       : cells_(cells)
-      , stress_(body.mesh, body.components, body.materials, cells, body.branches)
+      , stress_(body.mesh, body.components, body.materials, cells, body.branches, body.patches)
       , motions_(body.observe(stress_.vertices(), are_few))
       , is_viscous_(maxOverRanks(stress_.isViscous() ? 1 : 0, comm) > 0)
       , yielded_(body.yielded)

@@ -3,6 +3,7 @@
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "fem/stress/CoulombPlane.hpp"
+#include "fem/volumetric/VolumetricPatches.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 #include "mesh/Mesh.hpp"
@@ -46,6 +47,7 @@ struct StressedBody
   int components;                              // of the displacement
   std::vector<fem::Material> const& materials; // (num_cells)
   std::vector<fem::MaxwellBranch> const& branches;
+  fem::VolumetricPatches const& patches;
   std::string surface; // the boundary of the domain `surface`
   ObserveVertices observe;
   // The present one of local cells; empty where no cell of the body may yield. A run starts with 0.

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "base/Types.hpp"
 #include "fem/detail/CellViews.hpp"
 #include "fem/detail/ElementBlocks.hpp"
-
-#include <Tpetra_CrsMatrix.hpp>
+#include "fem/detail/NodeRows.hpp"
 
 namespace asperity::fem::detail
 {
@@ -13,10 +11,8 @@ namespace asperity::fem::detail
 template <int Dim, int Components>
 struct AssembleRows
 {
-  using LocalMatrix = CrsMatrix::local_matrix_device_type;
-
   CellViews<Dim> cells;
-  LocalMatrix mass, viscosity, stiffness; // on one graph, columns ascending in blocks of a node
+  LocalMatrix mass, viscosity, stiffness; // on one graph
 
   KOKKOS_FUNCTION void operator()(int p) const
   {
@@ -46,40 +42,11 @@ struct AssembleRows
     for (int t = cells.terms_begin(vertex); t < cells.terms_begin(vertex + 1); ++t) {
       const int q = cells.terms(t).node;
       const double measure = corner.factor * cells.terms(t).factor * cells.measure(cell);
-      const int place = placeOf(p, q);
-      add(mass, p, place, inFrames(unitBlock<Components>(), cells.frames, p, q),
-          m.density * measure * share);
-      add(viscosity, p, place, inFrames(viscous, cells.frames, p, q), measure);
-      add(stiffness, p, place, inFrames(elastic, cells.frames, p, q), measure);
-    }
-  }
-
-  // The number of q among the neighbours of p, which are ascending.
-  KOKKOS_FUNCTION int placeOf(int p, int q) const
-  {
-    auto const& graph = mass.graph;
-    const auto begin = graph.row_map(p * Components);
-    int low = 0;
-    int high = static_cast<int>((graph.row_map(p * Components + 1) - begin) / Components) - 1;
-    while (low < high) {
-      const int middle = (low + high) / 2;
-      if (graph.entries(begin + middle * Components) < q * Components) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return low;
-  }
-
-  KOKKOS_FUNCTION void add(LocalMatrix const& matrix, int p, int place,
-                           Block<Components> const& block, double factor) const
-  {
-    for (int i = 0; i < Components; ++i) {
-      const auto first = matrix.graph.row_map(p * Components + i) + place * Components;
-      for (int j = 0; j < Components; ++j) {
-        matrix.values(first + j) += factor * block(i, j);
-      }
+      const int place = placeOf<Components>(mass, p, q);
+      addBlock(mass, p, place, inFrames(unitBlock<Components>(), cells.frames, p, q),
+               m.density * measure * share);
+      addBlock(viscosity, p, place, inFrames(viscous, cells.frames, p, q), measure);
+      addBlock(stiffness, p, place, inFrames(elastic, cells.frames, p, q), measure);
     }
   }
 };

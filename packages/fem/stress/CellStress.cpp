@@ -3,10 +3,12 @@
 #include "base/Errors.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/bulk/TensorKernels.hpp"
+#include "fem/detail/PatchViews.hpp"
 
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 
 namespace asperity::fem
 {
@@ -24,6 +26,7 @@ struct CellKernel
   Kokkos::View<const Material*, MemorySpace> materials;
   Motion u, v; // v: empty without viscosity
   bool is_strain;
+  detail::PatchesOfCells<Dim> patches;
   Result result;
 
   KOKKOS_FUNCTION Gradient<Dim, Components> gradientOf(Motion const& motion, int cell) const
@@ -40,6 +43,22 @@ struct CellKernel
     return gradient;
   }
 
+  // k_P t_P of the displacement in the patch of a cell.
+  KOKKOS_FUNCTION double stressOfPatch(int cell) const
+  {
+    const int patch = patches.of_cell.extent(0) > 0 ? patches.of_cell(cell) : -1;
+    if (patch < 0) {
+      return 0;
+    }
+    double mean = 0;
+    for (int e = patches.entries_begin(patch); e < patches.entries_begin(patch + 1); ++e) {
+      for (int axis = 0; axis < Components; ++axis) {
+        mean += patches.slopes(e, axis) * u(patches.vertices(e) * Components + axis);
+      }
+    }
+    return patches.moduli(patch) * mean;
+  }
+
   KOKKOS_FUNCTION void operator()(int cell) const
   {
     double tensor[numTensorComponents(Components)] = {};
@@ -49,6 +68,10 @@ struct CellKernel
     } else {
       auto const& m = materials(cell);
       of_displacement.add(m.bulk_modulus - 2. / 3 * m.shear_modulus, m.shear_modulus, tensor);
+      const double of_patch = stressOfPatch(cell);
+      for (int k = 0; k < numTensorComponents(Components); ++k) {
+        tensor[k] += isOnDiagonal(numTensorComponents(Components), k) ? of_patch : 0;
+      }
       if (v.extent(0) > 0) {
         gradientOf(v, cell).add(m.bulk_viscosity - 2. / 3 * m.shear_viscosity, m.shear_viscosity,
                                 tensor);
@@ -72,7 +95,8 @@ struct CellKernel
 template <int Dim, int Components, class Corners, class Gradients, class Materials>
 std::vector<double> tensors(Corners const& corners, Gradients const& gradients,
                             Materials const& materials, std::vector<double> const& u,
-                            std::vector<double> const& v, bool is_strain)
+                            std::vector<double> const& v, bool is_strain,
+                            detail::PatchesOfCells<Dim> const& patches = {})
 {
   return CellKernel<Dim, Components>{corners,
                                      gradients,
@@ -80,6 +104,7 @@ std::vector<double> tensors(Corners const& corners, Gradients const& gradients,
                                      toDevice(u, "asperity::fem::displacement"),
                                      toDevice(v, "asperity::fem::velocity"),
                                      is_strain,
+                                     patches,
                                      {}}
     .run();
 }
@@ -95,6 +120,41 @@ std::vector<double> tensors(int components, Arguments const&... arguments)
   }
   return tensors<Dim, Dim>(arguments...);
 }
+// The patches of `cells`, whose vertices are among `vertices`, ascending.
+template <int Dim>
+detail::PatchesOfCells<Dim> patchesOf(Mesh<Dim> const& mesh, std::vector<int> const& cells,
+                                      std::vector<int> const& vertices,
+                                      VolumetricPatches const& patches)
+{
+  std::map<int, int> numbers; // of patches
+  std::vector<int> of_cell, begin = {0}, places;
+  std::vector<Point<Dim>> slopes;
+  std::vector<double> moduli;
+  const NodalFrames along_axes(static_cast<int>(mesh.vertices.size()), Dim);
+  for (const int cell : cells) {
+    const int patch = patches.of_cell[cell];
+    if (patch < 0) {
+      of_cell.push_back(-1);
+      continue;
+    }
+    auto const [entry, is_new] = numbers.emplace(patch, static_cast<int>(moduli.size()));
+    of_cell.push_back(entry->second);
+    if (is_new) {
+      moduli.push_back(patches.patches[patch].modulus);
+      for (auto const& [vertex, slope] :
+           detail::meanStrainForm(patches.patches[patch], mesh, along_axes)) {
+        places.push_back(static_cast<int>(
+          std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin()));
+        slopes.push_back(slope);
+      }
+      begin.push_back(static_cast<int>(places.size()));
+    }
+  }
+  return {toDevice(of_cell, "asperity::fem::patchOfCell"),
+          toDevice(begin, "asperity::fem::entriesOfPatches"),
+          toDevice(places, "asperity::fem::verticesOfPatches"), detail::slopesOnDevice<Dim>(slopes),
+          toDevice(moduli, "asperity::fem::moduliOfPatches")};
+}
 } // namespace
 
 std::vector<std::string> const& tensorComponents(int displacement_components)
@@ -108,12 +168,18 @@ std::vector<std::string> const& tensorComponents(int displacement_components)
 template <int Dim>
 CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
                             std::vector<Material> const& materials, std::vector<int> const& cells,
-                            std::vector<MaxwellBranch> const& branches)
+                            std::vector<MaxwellBranch> const& branches,
+                            VolumetricPatches const& patches)
     : components_(components)
 {
   ASPERITY_ASSERT(materials.size() == mesh.cells.size());
   for (int cell : cells) {
     vertices_.insert(vertices_.end(), mesh.cells[cell].begin(), mesh.cells[cell].end());
+    if (!patches.empty() && patches.of_cell[cell] >= 0) {
+      for (const int other : patches.patches[patches.of_cell[cell]].cells) {
+        vertices_.insert(vertices_.end(), mesh.cells[other].begin(), mesh.cells[other].end());
+      }
+    }
   }
   std::sort(vertices_.begin(), vertices_.end());
   vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
@@ -123,7 +189,7 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
                                                                      cells.size());
   auto const host_corners = Kokkos::create_mirror_view(corners);
   auto const host_gradients = Kokkos::create_mirror_view(gradients);
-  auto const elastic = longTerm(materials, branches);
+  auto const elastic = patches.ownMaterials(longTerm(materials, branches));
   std::vector<Material> of_cells;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     auto const simplex = simplexOf(mesh, cells[c]);
@@ -141,6 +207,9 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
   }
   Kokkos::deep_copy(corners, host_corners);
   Kokkos::deep_copy(gradients, host_gradients);
+  if (!patches.empty()) {
+    patches_ = patchesOf(mesh, cells, vertices_, patches);
+  }
   corners_ = corners;
   gradients_ = gradients;
   materials_ = toDevice(of_cells, "asperity::fem::materialsOfCells");
@@ -168,7 +237,7 @@ std::vector<double> CellStress<Dim>::stress(std::vector<double> const& u,
   ASPERITY_ASSERT(u.size() == vertices_.size() * components_ &&
                   (v.size() == u.size() || (v.empty() && !is_viscous_)) &&
                   d.size() == branches_.size());
-  auto result = tensors<Dim>(components_, corners_, gradients_, materials_, u, v, false);
+  auto result = tensors<Dim>(components_, corners_, gradients_, materials_, u, v, false, patches_);
   for (std::size_t k = 0; k < d.size(); ++k) {
     auto const of_branch = tensors<Dim>(components_, corners_, gradients_, branches_[k], d[k],
                                         std::vector<double>(), false);

@@ -3,6 +3,7 @@
 #include "base/Views.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
+#include "fem/volumetric/VolumetricPatches.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <string>
@@ -14,18 +15,37 @@ namespace asperity::fem
 //   1: xz, yz    2: xx, xy, yy, zz    3: xx, xy, xz, yy, yz, zz, the order of XDMF's Tensor6.
 std::vector<std::string> const& tensorComponents(int displacement_components);
 
+namespace detail
+{
+// The patches of cells, by their vertices: b [1/m] is that of meanStrainForm along the axes.
+template <int Dim>
+struct PatchesOfCells
+{
+  template <class Value>
+  using View = Kokkos::View<Value, MemorySpace>;
+
+  View<const int*> of_cell;         // (cells) number of the patch, or -1; empty without patches
+  View<const int*> entries_begin;   // (patches + 1)
+  View<const int*> vertices;        // (entries) places in CellStress::vertices()
+  View<const double* [Dim]> slopes; // (entries, Dim)
+  View<const double*> moduli;       // (patches) k_P [Pa]
+};
+} // namespace detail
+
 // Strain and stress of P1 elements, constant in each cell, along the axes, positive in tension:
 //   eps(u) = (grad u + grad u^T) / 2,   sigma = B : eps(u) + A : eps(v)   (Material)
-// where the stress of Maxwell branches comes from their own displacements (MaxwellBranch).
+// where the stress of Maxwell branches comes from their own displacements (MaxwellBranch), and that
+// of volume also from the mean volumetric strain of a patch (VolumetricPatches).
 template <int Dim>
 class CellStress
 {
 public:
   // Of these local cells; materials(num cells of the mesh). components: of the displacement.
   CellStress(Mesh<Dim> const& mesh, int components, std::vector<Material> const& materials,
-             std::vector<int> const& cells, std::vector<MaxwellBranch> const& branches = {});
+             std::vector<int> const& cells, std::vector<MaxwellBranch> const& branches = {},
+             VolumetricPatches const& patches = {});
 
-  // The local vertices of the cells, ascending, ghosts among them. u and v below are displacement
+  // The local vertices of the cells and their patches, ascending, ghosts among them. u and v below are displacement
   // [m] and velocity [m/s] there, (vertices, components), along the axes.
   std::vector<int> const& vertices() const { return vertices_; }
   bool isViscous() const { return is_viscous_; } // on any of this rank's cells
@@ -44,6 +64,7 @@ private:
   Kokkos::View<const double * [Dim + 1][Dim], MemorySpace> gradients_; // 1/m
   Kokkos::View<const Material*, MemorySpace> materials_;               // without branches
   std::vector<Kokkos::View<const Material*, MemorySpace>> branches_;   // their shear moduli alone
+  detail::PatchesOfCells<Dim> patches_;
 };
 
 // Takes the stress of an inelastic strain [-] in cells of these materials from `stress` [Pa]; both

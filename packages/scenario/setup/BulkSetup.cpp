@@ -9,6 +9,7 @@
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
 #include "scenario/setup/StressAtStart.hpp"
+#include "scenario/setup/VolumetricSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,7 @@ RCP<const ParameterList> bulkParameters()
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect.");
+  declareVolumetricStrain(declare);
   declareChoice(
     declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(),
     "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "

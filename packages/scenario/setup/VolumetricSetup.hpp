@@ -1,0 +1,27 @@
+#pragma once
+
+#include "base/Warning.hpp"
+#include "fem/volumetric/VolumetricPatches.hpp"
+#include "parameters/Parameters.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::scenario
+{
+// Declares the choice `Volumetric Strain` of the list `Bulk`.
+void declareVolumetricStrain(Declare& bulk);
+
+// The patches of cells that share a volumetric strain; none in an antiplane model, and where no
+// cell needs one. Several ranks then get the missing cells of their patches: mesh and rock become
+// larger. faults: names of boundaries. Collective.
+template <int Dim>
+fem::VolumetricPatches makePatches(ParameterList const& bulk,
+                                   std::vector<std::string> const& faults, Mesh<Dim>& mesh,
+                                   Rock& rock, Communicator const& communicator);
+
+// Of nearly incompressible cells that keep their volume each for itself. Collective.
+std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
+                                   Communicator const& communicator);
+} // namespace asperity::scenario
