@@ -1,8 +1,10 @@
 #include "scenario/setup/VolumetricSetup.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/parallel/CellGroups.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
 #include <array>
@@ -100,6 +102,14 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
   if (maxOverRanks(areSmaller(moduli, rock.materials) ? 1 : 0, communicator) == 0) {
     return {};
   }
+  // With patches across ranks rate problems do not converge, though the matrices are right.
+  ASPERITY_REQUIRE(communicator.getSize() == 1,
+                   joinPath(bulk_path, volumetric_strain)
+                     << " = " << choice
+                     << ": rock with a Poisson's ratio above 0.3, or Patch, runs on one rank only, "
+                        "but there are "
+                     << communicator.getSize()
+                     << ". Take one rank, or Cell, with which cells are too stiff near 1/2.");
   auto vertices = fem::patchVertices(mesh, faults, communicator);
   if (communicator.getSize() > 1) {
     mesh::completeGroups(mesh, vertices, communicator);

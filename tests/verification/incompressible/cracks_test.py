@@ -106,11 +106,9 @@ class Cracks(unittest.TestCase):
         self.assertIn(WARNING, printed)
         self.assertNotIn(WARNING, share(0.39, False, alone)[1])
 
-    def test_any_number_of_ranks(self):
-        for in_space in (False, True):
-            one, _ = share(0.49, in_space)
-            for ranks in (2, 4):
-                self.assertLess(abs(share(0.49, in_space, ranks=ranks)[0] / one - 1), 1e-5)
+    def test_several_ranks_are_refused(self):
+        with self.assertRaisesRegex(AssertionError, "runs on one rank only"):
+            share(0.49, True, ranks=2)
 
 
 if __name__ == "__main__":
