@@ -392,13 +392,15 @@ std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> co
                                          std::vector<int> const& cells,
                                          std::vector<std::array<double, 3>> const& places)
 {
-  const Elasticity elasticity(list, mesh.region_names);
-  auto const density = steadyField(list, "Density", bulk_path, mesh.region_names);
+  Elasticity elasticity(list, mesh.region_names);
+  CellField density(steadyField(list, "Density", bulk_path, mesh.region_names));
+  elasticity.read(mesh);
+  density.read(mesh);
   std::vector<fem::Material> materials(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const int region = mesh.cell_regions[cells[i]];
-    materials[i].density = density(places[i], 0, region);
-    elasticity.set(materials[i], places[i], region);
+    const CellPlace place{cells[i], places[i], mesh.cell_regions[cells[i]]};
+    materials[i].density = density(place);
+    elasticity.set(materials[i], place);
   }
   return materials;
 }
