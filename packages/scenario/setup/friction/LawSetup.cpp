@@ -89,12 +89,36 @@ void declareLaws(Declare& declare)
                 });
 }
 
+namespace
+{
+template <class Registry>
+bool hasParameter(Registry const& laws, std::string const& name)
+{
+  auto const names = laws.names();
+  return std::any_of(names.begin(), names.end(), [&](auto const& law) {
+    auto const& parameters = laws.at(law).parameters;
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&](auto const& parameter) { return name == parameter.name; });
+  });
+}
+
+// Whether a law has a parameter of this name.
+bool isOfLaw(std::string const& name)
+{
+  return hasParameter(friction::frictionLaws(), name) || hasParameter(friction::stateLaws(), name);
+}
+} // namespace
+
 void chooseLaws(ParameterList& friction, bool is_needed)
 {
   const auto chooseNone = [&friction](std::string const& entry, char const* none) {
     friction.setEntry(entry, Teuchos::ParameterEntry(std::string(none), true));
   };
-  if (!is_needed && !friction.isParameter(friction_choice) && !friction.isParameter(state_choice)) {
+  const bool names_law = friction.isParameter(friction_choice) ||
+                         friction.isParameter(state_choice) ||
+                         std::any_of(friction.begin(), friction.end(),
+                                     [](auto const& entry) { return isOfLaw(entry.first); });
+  if (!is_needed && !names_law) {
     chooseNone(friction_choice, friction::NoFriction::name);
   }
   if (!friction.isParameter(state_choice) && friction.isType<std::string>(friction_choice) &&

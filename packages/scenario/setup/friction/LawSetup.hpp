@@ -15,7 +15,7 @@ namespace asperity::scenario
 void declareLaws(Declare& declare);
 
 // In a list that need not be complete: chooses no friction and no state where no fault has friction
-// and the list chooses no law, and no state where it chooses no friction.
+// and the list has neither a law nor a parameter of one, and no state where it chooses no friction.
 void chooseLaws(ParameterList& friction, bool is_needed);
 
 // Whether the law is one of friction, and whether it depends on a state.
