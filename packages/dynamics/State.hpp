@@ -38,6 +38,9 @@ struct State
   std::vector<RCP<Vector>> branches; // d_k of the body's Maxwell branches; u at the start
   NodeView alpha, sigma_n;
   NodeView alpha_of_rate; // of the last rate problem, with which v was computed
+  // What the fixed point of the last step has left in alpha, which friction of the next step takes
+  // back (StateUpdate).
+  NodeView alpha_defect;
   std::optional<fem::InelasticStrain> inelastic; // of the body's cells, if any may yield
 
   // A field at the nodes of the fault that a model declares beside those above.
@@ -112,9 +115,11 @@ void State::visitFault(Visit const& visit, First& first, Others&... others)
   static const FieldInfo of_alpha = {"alpha", "alpha", "-", true};
   static const FieldInfo of_sigma_n = {"sigma_n", "normal stress", "Pa", true, true};
   static const FieldInfo of_rate = {"alpha_of_rate", "alpha of the last rate problem", "-"};
+  static const FieldInfo of_defect = {"alpha_defect", "defect of alpha", "-"};
   visit(of_alpha, first.alpha, others.alpha...);
   visit(of_sigma_n, first.sigma_n, others.sigma_n...);
   visit(of_rate, first.alpha_of_rate, others.alpha_of_rate...);
+  visit(of_defect, first.alpha_defect, others.alpha_defect...);
   for (std::size_t i = 0; i < first.added.size(); ++i) {
     visit(*first.added[i].info, first.added[i].values, others.added[i].values...);
   }

@@ -36,9 +36,11 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
 {
   const CouplingSettings defaults;
   Declare declare;
-  declare.real("Tolerance", defaults.tolerance, "-", Range::open(0, 1),
+  declare.real("Tolerance", 0., "-", Range::closedOpen(0, 1),
                "The fixed-point iteration of rate and state ends when alpha changes by at most "
-               "this between two iterates, in the norm chosen.");
+               "this between two iterates, in the norm chosen. 0 means a thousandth of the "
+               "Tolerance of the step control, but at most 1e-5, which also holds for prescribed "
+               "steps.");
   declareNorm(declare, defaults.norm,
               "Selects how that change is measured over the fault. Maximum also responds to a "
               "nucleation much smaller than the fault, which has little weight in a mean.");
@@ -52,10 +54,16 @@ Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
     .list();
 }
 
-CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters)
+CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters,
+                                        double step_tolerance)
 {
+  constexpr double share_of_steps = 1e-3;
   CouplingSettings settings;
-  settings.tolerance = parameters.get<double>("Tolerance");
+  if (const double given = parameters.get<double>("Tolerance"); given > 0) {
+    settings.tolerance = given;
+  } else if (step_tolerance > 0) {
+    settings.tolerance = std::min(settings.tolerance, share_of_steps * step_tolerance);
+  }
   settings.norm = normOf(parameters);
   settings.max_iterations = parameters.get<int>("Maximum Iterations");
   settings.anderson_depth = parameters.get<int>("Anderson Depth");
@@ -212,7 +220,7 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   solver.begin(*b_, *guess_);
   update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
   gatherSlip(surface(), *work_u_, mean_offset_);
-  beginUnknowns(from, tau);
+  beginUnknowns(from, tau, to);
 
   auto result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
@@ -227,12 +235,12 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
 }
 
 // mean_ has the velocity at the beginning until the first rate problem is solved.
-void CoupledStep::beginUnknowns(State const& from, double tau)
+void CoupledStep::beginUnknowns(State const& from, double tau, State const& to)
 {
   gatherSlip(surface(), *from.v, mean_);
   const FrictionProblem friction = {fault_.friction(),
                                     {from.alpha_of_rate, fault_.given(from).sigma_n}};
-  unknowns_.begin({from, tau, mean_, friction});
+  unknowns_.begin({from, tau, mean_, friction, to});
 }
 
 void PendingStep::complete(State& to) &&

@@ -21,7 +21,8 @@ struct CouplingSettings
   int anderson_depth = 2;
 
   static Teuchos::RCP<Teuchos::ParameterList> validParameters();
-  static CouplingSettings from(Teuchos::ParameterList const& parameters);
+  // step_tolerance: of the step control, from which the default follows; 0 if it has none.
+  static CouplingSettings from(Teuchos::ParameterList const& parameters, double step_tolerance);
 };
 
 // The cost of solving, summed over any number of steps.
@@ -141,7 +142,7 @@ private:
   void evaluateLoads(double t0, double t1);
   void rightSide(State const& from, double tau, State& to);
   void setRightSide(State const& to);
-  void beginUnknowns(State const& from, double tau);
+  void beginUnknowns(State const& from, double tau, State const& to);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);

@@ -13,6 +13,7 @@ struct StepStart
   double tau;                      // of the step [s]
   ConstBlockView velocity;         // w of gatherSlip in `from` (num_nodes, T) [m/s]
   FrictionProblem const& friction; // with which that velocity was computed
+  State const& to;                 // with the first iterates
 };
 
 // What the unknowns of a step respond to after each iteration of the rate problem.
@@ -49,6 +50,13 @@ public:
   // problem was solved. An unknown that follows from its own value at the beginning of the step
   // needs its image: a change below the tolerance would be lost in every step.
   virtual bool endsWithImage() const { return false; }
+  // Ends the fixed point: sets the field in `to`, which has the last iterate, to its final value.
+  virtual void finish(ConstNodeView const& image, State const& to) const
+  {
+    if (endsWithImage()) {
+      Kokkos::deep_copy(of(to), image);
+    }
+  }
   // Sets fields of `to` that follow from the unknowns, at the end of the step of tau [s] that has
   // begun and responded last. Steps that are only compared with others end without it.
   virtual void complete(State const& /*from*/, double /*tau*/, State const& /*to*/) {}

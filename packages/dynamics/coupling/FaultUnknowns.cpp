@@ -97,9 +97,7 @@ void FaultUnknowns::advance(State& to)
 void FaultUnknowns::finish(State& to) const
 {
   for (auto const& [unknown, image] : entries_) {
-    if (unknown->endsWithImage()) {
-      Kokkos::deep_copy(unknown->of(to), image);
-    }
+    unknown->finish(image, to);
   }
 }
 

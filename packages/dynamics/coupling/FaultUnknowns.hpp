@@ -28,7 +28,7 @@ public:
   double change(Norm norm) const;
   // The next iterates in `to`. Collective.
   void advance(State& to);
-  // Ends the fixed point: where an unknown says so, its image is in `to`.
+  // Ends the fixed point: the final values in `to`, see FaultUnknown.
   void finish(State& to) const;
   // Sets what follows from the unknowns at the end of that step, see FaultUnknown.
   void complete(State const& from, double tau, State const& to) const;

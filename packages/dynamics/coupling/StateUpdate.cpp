@@ -21,18 +21,49 @@ void shiftByStress(ConstNodeView const& sensitivity, ConstNodeView const& before
       shifted(node) = alpha(node) - shift;
     });
 }
+
+// sum := sum + weight values
+void add(double weight, ConstNodeView const& values, NodeView const& sum)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::addToAlpha", RangePolicy(0, sum.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { sum(node) += weight * values(node); });
+}
 } // namespace
 
-StateUpdate::StateUpdate(Fault const& fault) : fault_(fault)
+StateUpdate::StateUpdate(Fault const& fault)
+    : fault_(fault)
+    , carried_("asperity::dynamics::carriedAlpha", fault.surface().numNodes())
 {
   if (fault.laws().stress_sensitivity.extent(0) > 0) {
     shifted_ = NodeView("asperity::dynamics::shifted", fault.surface().numNodes());
   }
 }
 
+void StateUpdate::begin(StepStart const& start)
+{
+  Kokkos::deep_copy(carried_, start.from.alpha_defect);
+  add(1, carried_, start.to.alpha);
+}
+
 int StateUpdate::respond(FaultResponse const& to, NodeView const& image)
 {
   ASPERITY_TIME_WORK("state updates");
+  const int failures = flow(to, image);
+  add(1, carried_, image);
+  return failures;
+}
+
+void StateUpdate::finish(ConstNodeView const& image, State const& to) const
+{
+  Kokkos::deep_copy(to.alpha_defect, image);
+  add(-1, to.alpha, to.alpha_defect);
+  Kokkos::deep_copy(to.alpha, image);
+  add(-1, carried_, to.alpha);
+}
+
+int StateUpdate::flow(FaultResponse const& to, NodeView const& image)
+{
   auto const& sensitivity = fault_.laws().stress_sensitivity;
   if (shifted_.extent(0) == 0) {
     return fault_.state().flow(to.slip_rate, to.tau, to.from.alpha, image);

@@ -67,7 +67,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     makeRateUpdate(deck.sublist("Time Stepping"), !quasiDynamic(deck.sublist("Bulk")));
   coupled_step_ = std::make_unique<dynamics::CoupledStep>(
     model_.body, model_.fault, update, clock_,
-    dynamics::CouplingSettings::from(deck.sublist("Coupling")), problem_.solver,
+    dynamics::CouplingSettings::from(deck.sublist("Coupling"), tolerance_), problem_.solver,
     memoryBudget(deck.sublist("TNNMG")), model_.reaction);
   control_ =
     makeStepControl(deck.sublist("Time Stepping"), io::OutputSet::times(deck.sublist("Output")),

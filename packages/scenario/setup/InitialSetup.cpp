@@ -148,6 +148,7 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   fault.normalStress().raiseToFloor(state.sigma_n);
   state.alpha = NodeView("asperity::scenario::alpha", num_nodes);
   state.alpha_of_rate = NodeView("asperity::scenario::alphaOfRate", num_nodes);
+  state.alpha_defect = NodeView("asperity::scenario::alphaDefect", num_nodes);
   for (auto const& process : fault.processes()) {
     auto const fields = process->fields(state);
     state.added.insert(state.added.end(), fields.begin(), fields.end());

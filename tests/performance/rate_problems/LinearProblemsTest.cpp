@@ -91,7 +91,7 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
   auto const clock = scenario::makeClock(time);
   const auto budget = scenario::memoryBudget(deck->sublist("TNNMG"));
   dynamics::CoupledStep step(problem.body, problem.fault, update, clock,
-                             dynamics::CouplingSettings::from(deck->sublist("Coupling")),
+                             dynamics::CouplingSettings::from(deck->sublist("Coupling"), 0),
                              problem.solver, budget);
   auto const control = scenario::makeStepControl(time, {}, step);
   dynamics::StepSolvers solvers(problem.body, *problem.surface, update, clock, problem.solver,

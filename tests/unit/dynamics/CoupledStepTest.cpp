@@ -6,6 +6,7 @@
 #include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
@@ -221,6 +222,27 @@ TEST(CoupledStep, IteratesUntilTheNormAskedForIsSmall)
     more += iterations[i + 1] - iterations[i];
   }
   EXPECT_GT(more, 0);
+}
+
+// Friction is off by alpha - alpha_of_rate in each step. These errors add up to the last defect
+// alone, however many steps there are: exactly, up to rounding.
+TEST(CoupledStep, TakesBackWhatTheFixedPointOfTheStepBeforeHasLeft)
+{
+  const Model model(slidingBlock(2), alone());
+  auto settings = tightCoupling();
+  settings.tolerance = 1e-3;
+  Stepper stepper(model, RateUpdate::generalisedAlpha(0.5), milliseconds, settings);
+  auto state = slidingState(model);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(model.surface->numNodes());
+  double largest_error = 0;
+  for (int step = 0; step < 30; ++step) {
+    state = solved(stepper, state, 3);
+    const Eigen::VectorXd error = denseOf(state.alpha) - denseOf(state.alpha_of_rate);
+    sum += error;
+    largest_error = std::max(largest_error, error.lpNorm<Eigen::Infinity>());
+    EXPECT_LE((sum - denseOf(state.alpha_defect)).lpNorm<Eigen::Infinity>(), 1e-13);
+  }
+  EXPECT_GT(largest_error, 1e-6) << "nothing was left";
 }
 
 TEST(CoupledStep, EndsInBalanceOfMomentumUnderEveryLaw)

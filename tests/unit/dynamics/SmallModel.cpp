@@ -176,6 +176,7 @@ State ModelIn<Dim>::restingState() const
   body.prescribed_velocity(0, *state.v);
   state.alpha = nodeView([](auto const&) { return 0.; });
   state.alpha_of_rate = nodeView([](auto const&) { return 0.; });
+  state.alpha_defect = nodeView([](auto const&) { return 0.; });
   state.sigma_n = nodeView([](auto const&) { return 0.; });
   fault.normalStress().at(0, state.sigma_n);
   for (auto const& process : fault.processes()) {

@@ -69,8 +69,8 @@ TEST_F(AState, HasEachFieldOnceAndThoseThatAModelAdds)
 {
   auto const names = namesOf(state);
   EXPECT_EQ(names, (std::vector<std::string>{"u", "v", "a", "jerk", "branch_1", "alpha", "sigma_n",
-                                             "alpha_of_rate", "p"}));
-  EXPECT_EQ(firstValues(state), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+                                             "alpha_of_rate", "alpha_defect", "p"}));
+  EXPECT_EQ(firstValues(state), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
 }
 
 TEST_F(AState, IsClonedWithAllFields)
@@ -78,7 +78,7 @@ TEST_F(AState, IsClonedWithAllFields)
   auto const copy = state.clone();
   EXPECT_EQ(namesOf(copy), namesOf(state));
   count(state, 10);
-  EXPECT_EQ(firstValues(copy), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  EXPECT_EQ(firstValues(copy), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}));
 }
 
 TEST_F(AState, IsBlendedInTheFieldsThatStepsGuess)
@@ -87,7 +87,7 @@ TEST_F(AState, IsBlendedInTheFieldsThatStepsGuess)
   count(later, 2);
   auto const guess = blend({1.5, later, state}); // 3 - 0.5 times the field's number
   auto const values = firstValues(guess);
-  for (const int field : {1, 5, 6, 8}) {
+  for (const int field : {1, 5, 6, 9}) {
     EXPECT_EQ(values[field], 2.5 * (field + 1));
   }
 }
