@@ -2,10 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "fem/PatchedBody.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/detail/AssembleRows.hpp"
 #include "fem/detail/PatchViews.hpp"
-#include "fem/volumetric/PatchedBody.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "fem/VolumetricPatches.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "fem/stress/CoulombPlane.hpp"
-#include "fem/volumetric/VolumetricPatches.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 #include "mesh/Mesh.hpp"

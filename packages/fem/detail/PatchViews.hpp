@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Views.hpp"
+#include "fem/VolumetricPatches.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "fem/detail/NodeRows.hpp"
-#include "fem/volumetric/VolumetricPatches.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <map>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/Views.hpp"
+#include "fem/VolumetricPatches.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
-#include "fem/volumetric/VolumetricPatches.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <string>
@@ -45,8 +45,8 @@ public:
              std::vector<int> const& cells, std::vector<MaxwellBranch> const& branches = {},
              VolumetricPatches const& patches = {});
 
-  // The local vertices of the cells and their patches, ascending, ghosts among them. u and v below are displacement
-  // [m] and velocity [m/s] there, (vertices, components), along the axes.
+  // The local vertices of the cells and their patches, ascending, ghosts among them. u and v below
+  // are displacement [m] and velocity [m/s] there, (vertices, components), along the axes.
   std::vector<int> const& vertices() const { return vertices_; }
   bool isViscous() const { return is_viscous_; } // on any of this rank's cells
 

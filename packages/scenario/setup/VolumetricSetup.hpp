@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "fem/volumetric/VolumetricPatches.hpp"
+#include "fem/VolumetricPatches.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 

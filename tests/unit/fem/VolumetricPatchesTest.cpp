@@ -1,4 +1,4 @@
-#include "fem/volumetric/PatchedBody.hpp"
+#include "fem/PatchedBody.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "fem/Simplex.hpp"

@@ -1,4 +1,4 @@
-"""A sequence of earthquakes depends little on the tolerance of the fixed point of rate and state."""
+"""A sequence depends little on the tolerance of the fixed point of rate and state."""
 
 import pathlib
 import sys

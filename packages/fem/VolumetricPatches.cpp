@@ -1,4 +1,4 @@
-#include "fem/volumetric/VolumetricPatches.hpp"
+#include "fem/VolumetricPatches.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Directory.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/BodyMatrices.hpp"
-#include "fem/volumetric/VolumetricPatches.hpp"
+#include "fem/VolumetricPatches.hpp"
 
 namespace asperity::fem
 {
