@@ -22,4 +22,16 @@ struct NodalMeasure
 template <int Dim>
 std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::string const& boundary,
                                                Communicator const& communicator);
+// The integral of the outward normal over boundaries, and their measure [m^(Dim-1)]. A plane has
+// as long a normal as its measure, a closed surface has none.
+struct NormalIntegral
+{
+  std::array<double, 3> normal{};
+  double measure = 0;
+};
+
+// Of boundaries that the mesh has. Collective.
+template <int Dim>
+NormalIntegral integrateNormal(Mesh<Dim> const& mesh, std::vector<std::string> const& boundaries,
+                               Communicator const& communicator);
 } // namespace asperity::fem

@@ -37,6 +37,9 @@ public:
   //   curvature_i s + weight_i (sigma_n_i mu(c_i s) + cohesion_i) = |r_i|
   // up to the rounding of this equation; s = 0 if |r_i| <= weight_i cohesion_i, or if the slip rate
   // would be below 1e-300 m/s. The given v_i is the first guess.
+  // Beside a prescribed velocity p (StateAndStress) it minimises psi_i(w + p) instead: r_i is at
+  // right angles to p, and s solves the equation with mu(c_i |w + p|) and the part s / |w + p| of
+  // friction.
   // curvature(num_nodes) > 0 in N s/m, r(num_nodes, T) in N.
   // Returns the number of nodes without a solution, where v_i does not change. There a curvature is
   // not positive, a value is not finite, or the iteration does not converge.

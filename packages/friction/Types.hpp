@@ -33,5 +33,9 @@ struct StateAndStress
 {
   ConstNodeView alpha;   // ln(theta V* / L)
   ConstNodeView sigma_n; // normal stress, compression, >= 0, Pa
+  // (num_nodes, T), m/s: what is added to the velocity of each node. It is zero in components that
+  // are free, and is not in those whose velocity is prescribed beside a free one, where the unknown
+  // is zero. A view without entries means zero everywhere.
+  ConstBlockView prescribed = {};
 };
 } // namespace asperity::friction

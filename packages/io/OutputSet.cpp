@@ -68,7 +68,9 @@ void OutputSet::declare(Teuchos::ParameterList& list)
   }
   parameters.realArray("Up", std::vector<double>{0, 1, 0}, "-", Range::any(),
                        "This vector points up in three dimensions; strike and dip of the fault "
-                       "follow from it. Its length has no effect.");
+                       "follow from it. Its length has no effect. If it is left out, up is the "
+                       "axis that is nearest to the outward normal of the Free Surface; against "
+                       "Gravity Direction if there is none; +y without both.");
   declareTextFormat(parameters);
 }
 

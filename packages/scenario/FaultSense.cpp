@@ -2,7 +2,9 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "fem/BoundaryMeasure.hpp"
 #include "fem/constraints/PlaneTangent.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -21,9 +23,27 @@ constexpr double opposite = 0.05; // of a mean normal: below, parts of the fault
 
 double dot(Vector3 const& a, Vector3 const& b) { return mesh::dot<3>(a, b); }
 
-Vector3 tangentInPlane(Vector3 const& plus)
+double length(Vector3 const& v) { return std::sqrt(dot(v, v)); }
+
+Vector3 scaled(Vector3 v, double factor)
 {
-  auto const [x, y] = fem::tangentInPlane(plus[0], plus[1]);
+  for (double& component : v) {
+    component *= factor;
+  }
+  return v;
+}
+
+Vector3 across(Vector3 const& v, Vector3 const& unit)
+{
+  return mesh::difference<3>(v, scaled(unit, dot(v, unit)));
+}
+
+Vector3 tangentOf(FaultSides const& sides)
+{
+  if (length(sides.tangent) > 0) {
+    return sides.tangent;
+  }
+  auto const [x, y] = fem::tangentInPlane(sides.plus[0], sides.plus[1]);
   return {x, y, 0};
 }
 
@@ -52,19 +72,37 @@ std::string dipSlip(FaultSides const& sides, Vector3 const& motion)
   return rise * above > 0 ? "a thrust" : "a normal fault";
 }
 
+std::string degrees(double angle) { return formatShort(std::round(10 * angle) / 10 + 0.); }
+
+// The unit normal towards the hanging wall, and the unit vectors along strike and up dip.
+struct Wall
+{
+  Vector3 normal, strike, up_dip;
+};
+
+Wall hangingWall(FaultSides const& sides)
+{
+  Wall wall;
+  wall.normal = dot(sides.plus, sides.up) < -level ? scaled(sides.plus, -1) : sides.plus;
+  wall.strike = mesh::cross(sides.up, wall.normal);
+  wall.strike = scaled(wall.strike, 1 / length(wall.strike));
+  wall.up_dip = mesh::cross(wall.normal, wall.strike);
+  return wall;
+}
+
 std::string inSpace(FaultSides const& sides)
 {
-  const double above = dot(sides.plus, sides.up);
-  Vector3 strike = mesh::cross(sides.up, sides.plus);
-  const double length = std::sqrt(dot(strike, strike));
+  auto const at = strikeAndDip(sides);
   std::string text = "slip has parts along the axes";
-  if (length < level) {
+  if (at.is_level) {
     return text + "; the fault is level";
   }
-  for (double& component : strike) {
-    component /= -length; // to the right of who looks at the plus side
-  }
-  text += "; along " + directionText(strike, 3) + " it is right lateral";
+  const double above = dot(sides.plus, sides.up);
+  auto const wall = hangingWall(sides);
+  // To the right of who looks at the plus side.
+  auto const right = scaled(wall.strike, std::abs(above) <= level || above > 0 ? -1 : 1);
+  text += "; strike " + degrees(at.strike) + ", dip " + degrees(at.dip) + "; along " +
+          directionText(right, 3) + " it is right lateral";
   if (std::abs(above) > level) {
     text += std::string(", upwards ") + (above > 0 ? "a thrust" : "that of a normal fault");
   }
@@ -72,18 +110,63 @@ std::string inSpace(FaultSides const& sides)
 }
 } // namespace
 
+StrikeAndDip strikeAndDip(FaultSides const& sides)
+{
+  if (length(mesh::cross(sides.up, sides.plus)) < level) {
+    return {true, 0, 0};
+  }
+  auto const wall = hangingWall(sides);
+  Vector3 east = across(sides.east, sides.up);
+  for (int axis = 0; axis < 3 && length(east) < level; ++axis) { // East is along Up
+    Vector3 other{};
+    other[axis] = 1;
+    east = across(other, sides.up);
+  }
+  Vector3 const north = mesh::cross(sides.up, east);
+  const double angle = std::atan2(dot(wall.strike, east), dot(wall.strike, north)) * 180 / M_PI;
+  const double sine = std::min(1., std::abs(dot(wall.normal, sides.up)));
+  return {false, angle < -1e-9 ? angle + 360 : std::abs(angle), std::acos(sine) * 180 / M_PI};
+}
+
+double rakeOf(FaultSides const& sides, Vector3 const& slip)
+{
+  auto const wall = hangingWall(sides);
+  const double sign = dot(wall.normal, sides.plus); // of the wall's motion in that of the plus side
+  const double along = sign * dot(slip, wall.strike), rise = sign * dot(slip, wall.up_dip);
+  const bool is_along = std::abs(rise) < level * std::abs(along); // rounding is not -180 degrees
+  return std::atan2(is_along ? 0. : rise, along) * 180 / M_PI;
+}
+
+std::string rakeInWords(FaultSides const& sides, Vector3 const& slip)
+{
+  if (strikeAndDip(sides).is_level || length(across(slip, sides.plus)) < level * length(slip) ||
+      length(slip) == 0) {
+    return "";
+  }
+  const double rake = rakeOf(sides, slip), angle = rake * M_PI / 180;
+  constexpr double small = 0.05; // parts that are not worth a word
+  std::string text = "rake " + degrees(rake) + ", ";
+  if (std::abs(std::cos(angle)) > small) {
+    text += std::cos(angle) > 0 ? "left lateral" : "right lateral";
+    text += std::abs(std::sin(angle)) > small ? " and " : "";
+  }
+  if (std::abs(std::sin(angle)) > small) {
+    const bool vertical = std::abs(dot(sides.plus, sides.up)) <= level;
+    text += vertical ? (std::sin(angle) > 0 ? "the plus side up" : "the plus side down")
+                     : (std::sin(angle) > 0 ? "a thrust" : "a normal fault");
+  }
+  return text;
+}
+
 std::string senseInWords(FaultSides const& sides, double slip)
 {
   if (sides.components == 1) {
-    if (std::abs(sides.plus[0]) < level) {
+    if (length(mesh::cross(sides.plus, sides.up)) < level) {
       return "neither left nor right lateral, as the fault is level";
     }
-    return lateral({0, 0, slip}, sides.plus, {0, 1, 0}) + " seen from above";
+    return lateral({0, 0, slip}, sides.plus, sides.up) + " seen from above";
   }
-  Vector3 motion = tangentInPlane(sides.plus);
-  for (double& component : motion) {
-    component *= slip;
-  }
+  auto const motion = scaled(tangentOf(sides), slip);
   if (sides.is_section) {
     return std::abs(dot(motion, sides.up)) < level * std::abs(slip) ? "neither up nor down"
                                                                     : dipSlip(sides, motion);
@@ -103,60 +186,121 @@ std::string senseOfSlip(FaultSides const& sides)
   if (sides.components == 1) {
     return moves + "+z, out of the plane: " + senseInWords(sides, 1);
   }
-  return moves + directionText(tangentInPlane(sides.plus), 2) + ": " + senseInWords(sides, 1);
+  return moves + directionText(tangentOf(sides), 2) + ": " + senseInWords(sides, 1);
 }
 
 namespace
 {
-// Gravity acts in the plane of a section, and says where up is.
-void standUpright(FaultSides& sides, ParameterList const& bulk)
+// What is known of a fault from its facets and nodes.
+struct MeanFault
 {
-  auto const down = bulk.get<Teuchos::Array<double>>("Gravity Direction");
-  const double length = down.size() < 2 ? 0 : std::hypot(down[0], down[1]);
-  sides.is_section =
-    sides.components == 2 && bulk.get<double>("Gravitational Acceleration") > 0 && length > 0;
-  if (sides.is_section) {
-    sides.up = {-down[0] / length, -down[1] / length, 0};
+  FaultSides sides;
+  bool has_sides = false; // its parts do not face each other
+  Vector3 plates{};       // their mean slip rate along it [m/s]
+};
+
+template <int Dim>
+MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::string const& name)
+{
+  auto const& surface = *problem.surface;
+  auto const normal = fem::integrateNormal(problem.mesh, {name}, *problem.communicator);
+  MeanFault fault{{scaled(normal.normal, -1), Dim, problem.components}};
+  fault.has_sides = length(normal.normal) > opposite * normal.measure;
+  if (!fault.has_sides) {
+    return fault;
   }
+  fault.sides.plus = scaled(fault.sides.plus, 1 / length(normal.normal));
+  std::vector<double> sums(7, 0.); // of weighted tangents, plate rates and weights
+  auto const vertices = mesh::boundaryVertices(problem.mesh, name);
+  for (const int vertex : vertices) {
+    const int node = vertex < problem.mesh.num_owned ? surface.nodeAt(vertex) : -1;
+    for (int k = 0; node >= 0 && k < surface.numTangents(); ++k) {
+      const double weight = surface[node].weight;
+      for (int d = 0; d < 3; ++d) {
+        sums[d] += k == 0 ? weight * surface[node].tangents[k][d] : 0;
+        sums[3 + d] += weight * surface.plateRate(node, k) * surface[node].tangents[k][d];
+      }
+      sums[6] += k == 0 ? weight : 0;
+    }
+  }
+  sums = sumOverRanks(sums, *problem.communicator);
+  fault.plates = scaled({sums[3], sums[4], sums[5]}, sums[6] > 0 ? 1 / sums[6] : 0);
+  const Vector3 tangent = {sums[0], sums[1], sums[2]};
+  if (Dim == 2 && problem.components == 2 && length(tangent) > 0) {
+    fault.sides.tangent = scaled(tangent, 1 / length(tangent));
+  }
+  auto const& bulk = deck.sublist("Bulk");
+  fault.sides.is_section =
+    problem.components == 2 && bulk.get<double>("Gravitational Acceleration") > 0;
+  // Without gravity a plane may be a map; then +y counts as up in a section.
+  fault.sides.up = fault.sides.is_section                ? scaled(problem.upright.down, -1)
+                   : Dim == 2 && problem.components == 2 ? Vector3{0, 1, 0}
+                                                         : problem.upright.up;
+  auto const& output = deck.sublist("Output");
+  if (output.isParameter("East")) {
+    auto const east = output.get<Teuchos::Array<double>>("East");
+    std::copy_n(east.begin(), std::min<int>(3, east.size()), fault.sides.east.begin());
+  }
+  return fault;
+}
+
+std::string ofPositiveTraction(FaultSides const& sides, ParameterList const& friction)
+{
+  if (!friction.isParameter("Slip Direction")) { // no fault has friction
+    return "";
+  }
+  auto const given = friction.get<Teuchos::Array<double>>("Slip Direction");
+  Vector3 direction{};
+  std::copy_n(given.begin(), std::min<int>(3, given.size()), direction.begin());
+  auto const rake = rakeInWords(sides, direction);
+  return rake.empty() ? "" : "; a positive Shear Traction has " + rake;
+}
+
+std::string ofPlates(MeanFault const& fault, int dimension)
+{
+  auto const& sides = fault.sides;
+  if (dimension == 3) {
+    auto const rake = rakeInWords(sides, fault.plates);
+    return "The plates slip along it at " + formatShort(length(fault.plates)) +
+           " m/s on the average" + (rake.empty() ? "" : ": " + rake) + ".";
+  }
+  const double rate = sides.components == 1 ? fault.plates[2] : dot(fault.plates, tangentOf(sides));
+  return "The plates slip along it at " + formatShort(rate) +
+         " m/s on the average: " + senseInWords(sides, rate) + ".";
+}
+
+bool gravityActs(ParameterList const& bulk)
+{
+  return bulk.get<double>("Gravitational Acceleration") > 0;
 }
 } // namespace
 
 template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  auto const& fault = *problem.surface;
-  std::vector<double> sums(4, 0.); // of weighted normals towards the plus side, and of plate rates
-  for (int i = 0; i < fault.numNodes(); ++i) {
-    for (int d = 0; d < 3; ++d) {
-      sums[d] -= fault[i].weight * fault[i].normal[d]; // out of the body, which is plus
+  std::vector<std::string> lines;
+  auto const& upright = problem.upright;
+  if (Dim == 3 || gravityActs(deck.sublist("Bulk"))) {
+    std::string line = "Up is " + directionText(upright.up, Dim) + ", " + upright.reason;
+    if (gravityActs(deck.sublist("Bulk"))) {
+      line += "; gravity points to " + directionText(upright.down, Dim);
     }
-    sums[3] += fault[i].weight * fault.plateRate(i, 0);
+    lines.push_back(line + ".");
   }
-  sums = sumOverRanks(sums, *problem.communicator);
-  FaultSides sides{{sums[0], sums[1], sums[2]}, Dim, problem.components};
-  const double size = std::sqrt(dot(sides.plus, sides.plus));
-  if (size == 0 || !(size > opposite * fault.totalWeight())) { // or there is no fault
-    return {};
-  }
-  for (double& component : sides.plus) {
-    component /= size;
-  }
-  if (Dim == 2) {
-    standUpright(sides, deck.sublist("Bulk"));
-  }
-  auto const& output = deck.sublist("Output");
-  if (Dim == 3 && output.isParameter("Up")) {
-    auto const up = output.get<Teuchos::Array<double>>("Up");
-    std::copy(up.begin(), up.end(), sides.up.begin());
-  }
-  std::vector<std::string> lines{"Fault '" + fault.name() + "': its plus side" +
-                                 (fault.otherSide().is_inside ? "" : ", the body,") +
-                                 " lies towards " + directionText(sides.plus, Dim) + "; " +
-                                 senseOfSlip(sides) + "."};
-  if (Dim == 2 && fault.hasPlateRate() && sums[3] != 0) {
-    const double rate = sums[3] / fault.totalWeight();
-    lines.push_back("The plates slip along it at " + formatShort(rate) +
-                    " m/s on the average: " + senseInWords(sides, rate) + ".");
+  auto const& surface = *problem.surface;
+  for (auto const& name : problem.boundary.faults) {
+    auto const fault = meanOf(problem, deck, name);
+    if (!fault.has_sides) {
+      lines.push_back("Fault '" + name + "' bends so far that no side is the plus side of all.");
+      continue;
+    }
+    lines.push_back(
+      "Fault '" + name + "': its plus side" + (surface.otherSide().is_inside ? "" : ", the body,") +
+      " lies towards " + directionText(fault.sides.plus, Dim) + "; " + senseOfSlip(fault.sides) +
+      (Dim == 3 ? ofPositiveTraction(fault.sides, deck.sublist("Friction")) : "") + ".");
+    if (surface.hasPlateRate() && length(fault.plates) > 0) {
+      lines.push_back(ofPlates(fault, Dim));
+    }
   }
   return lines;
 }

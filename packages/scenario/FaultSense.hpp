@@ -17,6 +17,9 @@ struct FaultSides
   int components = 2; // of the displacement
   std::array<double, 3> up{0, 1, 0};
   bool is_section = false; // the plane is upright, as gravity acts in it; else it may be a map, too
+  // In plane strain: along which slip is positive. Zero: the tangent that a fault of its own has.
+  std::array<double, 3> tangent{};
+  std::array<double, 3> east{1, 0, 0}; // in space; its part at right angles to `up` counts
 };
 
 // The sense of positive slip, v+ - v- [m/s], as geologists say it: "moves the plus side along +x,
@@ -27,8 +30,27 @@ std::string senseOfSlip(FaultSides const& sides);
 // of a section that is known to be one "a thrust"; antiplane "right lateral seen from above".
 std::string senseInWords(FaultSides const& sides, double slip);
 
-// A line for the fault, which says where its plus side is and what slip is positive, and one for
-// the plates' motion along it, if the deck has one in two dimensions. Collective.
+// Strike and dip of a fault in space, in degrees, as Aki and Richards define them: the strike
+// counts clockwise from north, and the fault dips to its right. The plus side of a vertical fault
+// counts as its hanging wall; a level one has no strike.
+struct StrikeAndDip
+{
+  bool is_level = false;
+  double strike = 0, dip = 0;
+};
+StrikeAndDip strikeAndDip(FaultSides const& sides);
+
+// The rake of slip along a vector, of which the part along the fault counts: the angle in degrees,
+// in (-180, 180], from the strike to the motion of the hanging wall, 90 up dip. Not for level ones.
+double rakeOf(FaultSides const& sides, std::array<double, 3> const& slip);
+
+// "rake 180, right lateral", "rake 45, left lateral and a thrust"; nothing if no part of the vector
+// is along the fault, or if the fault is level.
+std::string rakeInWords(FaultSides const& sides, std::array<double, 3> const& slip);
+
+// A line that says where up is, where it matters; for each fault a line that says where its plus
+// side is and what slip is positive, in space with its strike, its dip and the rake of a positive
+// shear traction, and one for the plates' motion along it, if the deck has one. Collective.
 template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck);
 } // namespace asperity::scenario

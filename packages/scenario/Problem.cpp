@@ -55,6 +55,7 @@ struct Discretisation
   Rock rock;
   fem::VolumetricPatches patches;
   std::vector<double> samples; // times at which conditions are compared [s]
+  Upright upright;
 
   fem::NodalFrames const& frames() const { return constraints->frames(); }
 };
@@ -102,8 +103,11 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   const std::vector<double> samples = {0, end / 3, end};
   auto const constraints =
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
-  return {std::move(boundary), std::move(mesh),    dofs,   constraints,
-          std::move(rock),     std::move(patches), samples};
+  auto upright = uprightOf(
+    deck, Dim,
+    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)});
+  return {std::move(boundary), std::move(mesh),    dofs,    constraints,
+          std::move(rock),     std::move(patches), samples, std::move(upright)};
 }
 
 // The viscosity of the body with its absorbing boundaries and the radiation damping of its fault,
@@ -304,16 +308,17 @@ std::optional<Warning> warnOfContrast(ParameterList const& deck, Mesh<Dim> const
     friction.get<std::string>("Normal Stress Change"));
 }
 
-// Empty unless the normal stress follows the body.
+// Empty where nothing presses across the fault.
 template <int Dim>
 dynamics::ReactionSinceStart
 reactionSinceStart(Discretisation<Dim> const& of, dynamics::Body const& body,
                    dynamics::Fault const& fault, dynamics::State const& initial)
 {
-  if (fault.normalStress().change() == dynamics::NormalStressChange::fixed) {
+  auto const& surface = fault.surface();
+  if (of.dofs->components() < Dim || surface.otherSide().is_mirrored ||
+      surface.numGlobalNodes() == 0) {
     return {};
   }
-  auto const& surface = fault.surface();
   return dynamics::reactionSince(
     initial.motion(), body,
     std::make_shared<dynamics::NormalReaction>(
@@ -335,7 +340,7 @@ std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim>& of,
                nodalPlateRates(of.boundary.plate_rates, of.mesh, *surface, of.frames()));
 }
 
-// Throws InputError if its velocity does not exist, or where slip beside friction is prescribed.
+// Throws InputError if its velocity does not exist.
 template <int Dim>
 dynamics::Body makeBody(Discretisation<Dim> const& of, fem::BodyMatrices const& matrices,
                         fem::FaultSurface const& surface,
@@ -351,11 +356,6 @@ dynamics::Body makeBody(Discretisation<Dim> const& of, fem::BodyMatrices const& 
     [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
   if (body.matrices.is_massless) {
     requireNoFreeMotion(of, body, &surface, "the velocity of a quasi-dynamic body");
-  }
-  for (double t : of.samples) {
-    auto const prescribed = body.vector();
-    body.prescribed_velocity(t, *prescribed);
-    dynamics::requireRestBesideSliding(surface, *prescribed, of.dofs->components(), t);
   }
   return body;
 }
@@ -385,7 +385,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   }
 
   auto const gravity = fem::assembleGravity<Dim>(of.mesh, *of.dofs, of.frames(), of.rock.materials,
-                                                 scenario::gravity<Dim>(bulk));
+                                                 scenario::gravity<Dim>(bulk, of.upright.down));
   const ShearTraction traction(friction, nodes, *surface, of.frames());
   auto const on_boundaries =
     std::make_shared<fem::BoundaryLoad>(of.mesh, *of.dofs, of.frames(), of.boundary.tractions);
@@ -399,14 +399,15 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   on_boundaries->addSteady(*gravity);
   on_boundaries->addVarying(0, *gravity);
   auto const start = staticStart(deck, of, body, solver, *surface, *gravity);
-  auto stress = makeNormalStress(friction, nodes, start.pressure, *communicator);
+  auto const stress = makeNormalStress(friction, nodes, start.pressure, *surface);
   auto fault =
     makeFault(friction, nodes, surface, fem::makeFaultMesh(of.mesh, *surface), stress.normal_stress,
               components == Dim && !surface->otherSide().is_mirrored, eta);
   auto initial = makeInitialState(deck, of.mesh, of.frames(), body, fault, solver,
                                   {start.displacement, traction.at(0), traction.direction()});
   requireBearable(of, body, *initial.u);
-  auto reaction = reactionSinceStart(of, body, fault, initial);
+  auto const across = reactionSinceStart(of, body, fault, initial);
+  const bool follows = fault.normalStress().change() != dynamics::NormalStressChange::fixed;
   auto warnings = fem::warnOfPieces(of.mesh, communicator);
   auto const locking = warnOfLocking(bulk, of.rock, *communicator);
   warnings.insert(warnings.end(), locking.begin(), locking.end());
@@ -414,17 +415,18 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto beside = valuesBeside(has_fault ? fault_materials : of.rock.materials, eta, initial,
                              components, *communicator);
   beside.has_fault = has_fault;
-  stress.remarks.push_back(dynamics::describeSpeeds(beside));
   auto scales = fault.stateDecides()
                   ? faultScales(of.mesh, components, fault_materials, friction, nodes, fault,
                                 initial, traction.largest(of.samples))
                   : FaultScales();
   auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
+  warnings.insert(warnings.end(), stress.warnings.begin(), stress.warnings.end());
   if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {
     warnings.push_back(*warning);
   }
-  return {{std::move(body), std::move(fault), std::move(initial), std::move(reaction)},
+  return {{std::move(body), std::move(fault), std::move(initial),
+           follows ? across : dynamics::ReactionSinceStart()},
           communicator,
           components,
           std::move(of.boundary),
@@ -436,10 +438,12 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           std::move(of.patches),
           fault_materials,
           solver,
-          std::move(stress.remarks),
+          {dynamics::describeSpeeds(beside)},
           std::move(warnings),
           dynamics::largestSlipRate(beside),
-          std::move(scales)};
+          std::move(scales),
+          std::move(of.upright),
+          across};
 }
 
 template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);

@@ -7,6 +7,7 @@
 #include "fem/bulk/Material.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/setup/Upright.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 #include "scenario/setup/friction/FaultScales.hpp"
 
@@ -35,6 +36,10 @@ struct Problem : dynamics::Model
   std::vector<Warning> warnings;    // found while the problem was made
   double largest_slip_rate;         // [m/s] dynamics::largestSlipRate
   FaultScales scales;
+  Upright upright;
+  // Also where the normal stress does not follow the body; empty where nothing presses across the
+  // fault: antiplane, or beside a mirror image.
+  dynamics::ReactionSinceStart across;
 };
 
 // `deck` must be complete. Collective.

@@ -10,6 +10,7 @@
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/Upright.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>
@@ -22,7 +23,8 @@ namespace
 {
 // For a generated wedge: what its cell size means, and a warning if gravity is not perpendicular to
 // the surface.
-void describeWedge(ParameterList const& deck, Description& description)
+void describeWedge(ParameterList const& deck, std::array<double, 3> const& downwards,
+                   Description& description)
 {
   auto const& mesh = deck.sublist("Mesh");
   auto const type = mesh.get<std::string>("Type");
@@ -36,8 +38,10 @@ void describeWedge(ParameterList const& deck, Description& description)
     "larger, so that some may be half as large.");
   auto const& bulk = deck.sublist("Bulk");
   const double slope = wedge.get<double>("Height") / wedge.get<double>("Length");
-  auto const down = bulk.get<Teuchos::Array<double>>("Gravity Direction");
-  if (bulk.get<double>("Gravitational Acceleration") > 0 && down.size() >= 2 &&
+  auto const down = isLeftOut(bulk, "Gravity Direction")
+                      ? std::vector<double>(downwards.begin(), downwards.end())
+                      : bulk.get<Teuchos::Array<double>>("Gravity Direction").toVector();
+  if (bulk.get<double>("Gravitational Acceleration") > 0 &&
       !(std::abs(down[0] + slope * down[1]) <= 1e-6 * std::hypot(down[0], down[1]))) {
     description.warnings.push_back(
       {"direction of gravity",
@@ -140,7 +144,7 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   }
   const auto size = describeSize(problem);
   lines.insert(lines.end(), size.begin(), size.end());
-  describeWedge(deck, description);
+  describeWedge(deck, problem.upright.down, description);
   const auto sense = describeSense(problem, deck);
   lines.insert(lines.end(), sense.begin(), sense.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());

@@ -176,9 +176,10 @@ State StaticCondensation::condensedState(Body const& body) const
   return gather(whole_.initial, body, {0, prescribed->getData()[numKept()], 0, 0});
 }
 
-ReactionSinceStart StaticCondensation::condensedReaction(Body const& body) const
+ReactionSinceStart StaticCondensation::condensedReaction(ReactionSinceStart const& of_whole,
+                                                         Body const& body) const
 {
-  auto const& reaction = whole_.reaction.reaction;
+  auto const& reaction = of_whole.reaction;
   if (!reaction) {
     return {};
   }
@@ -186,7 +187,7 @@ ReactionSinceStart StaticCondensation::condensedReaction(Body const& body) const
   for (int& dof : dofs) {
     dof = place_[dof];
   }
-  return {std::make_shared<NormalReaction>(*reaction, body, dofs), whole_.reaction.at_start};
+  return {std::make_shared<NormalReaction>(*reaction, body, dofs), of_whole.at_start};
 }
 
 void StaticCondensation::condense()
@@ -195,6 +196,6 @@ void StaticCondensation::condense()
   auto const& fault = whole_.fault;
   model_ = std::make_unique<Model>(
     Model{body, Fault(condensedSurface(body.held), fault.laws(), fault.normalStress()),
-          condensedState(body), condensedReaction(body)});
+          condensedState(body), condensedReaction(whole_.reaction, body)});
 }
 } // namespace asperity::dynamics

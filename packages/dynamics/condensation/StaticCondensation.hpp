@@ -40,6 +40,11 @@ public:
   // Vertex i of its dofs is node i of the fault, with all components; the last vertex has s.
   Model const& model() const { return *model_; }
   int numEliminated() const; // the size of I and D
+  // The reaction across the fault of the condensed model, from that of the whole body.
+  ReactionSinceStart reactionFrom(ReactionSinceStart const& of_whole) const
+  {
+    return condensedReaction(of_whole, model_->body);
+  }
   // Displacement, velocity or acceleration of the whole body from that of the condensed model.
   void expand(Vector const& x, Vector& whole) const;
 
@@ -71,7 +76,7 @@ private:
   fem::HeldDofs condensedHeld(int num_dofs) const;
   std::shared_ptr<const fem::FaultSurface> condensedSurface(fem::HeldDofs const& held) const;
   State condensedState(Body const& body) const;
-  ReactionSinceStart condensedReaction(Body const& body) const;
+  ReactionSinceStart condensedReaction(ReactionSinceStart const& of_whole, Body const& body) const;
   State gather(State const& whole, Body const& condensed, Amplitudes const& of) const;
   void gather(Vector const& whole, Vector& x) const; // F alone; s and what is beside it are zero
 

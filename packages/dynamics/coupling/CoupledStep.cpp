@@ -127,6 +127,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , work_d_(body.branchVectors())
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
+    , beside_("asperity::dynamics::prescribedBeside", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
   if (body.cells) {
@@ -158,7 +159,7 @@ void CoupledStep::evaluateLoads(double t0, double t1)
   onEveryRank(*surface().communicator(), [&] {
     stress_->evaluate(t0, t1);
     body_.prescribed_velocity(t1, *prescribed_);
-    requireRestBesideSliding(surface(), *prescribed_, body_.dofs->components(), t1);
+    slips_beside_ = prescribedBesideSliding(surface(), *prescribed_, beside_);
     stickToPlates(surface(), *prescribed_);
     body_.load(t1, *b_);
   });
@@ -167,7 +168,8 @@ void CoupledStep::evaluateLoads(double t0, double t1)
 // b = l(t1) - M a_D - C v_D - K u_D - sum of K_k d_D on the free dofs, where v_D is the prescribed
 // velocity, and u_D, a_D and d_D follow from it by the rate update: the rate problem is solved for
 // w = v1 - v_D, which is zero at held dofs. Under back slip v_D is the motion of the plates at the
-// free dofs of the fault, so that friction depends on w there (gatherSlip).
+// free dofs of the fault, so that friction depends on w there (gatherSlip). Where a held dof of the
+// fault slips beside a free one, friction depends on the prescribed rate of it, too.
 void CoupledStep::rightSide(State const& from, double tau, State& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
@@ -304,7 +306,8 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
   bool at_rest = false;
   while (at_rest || result.iterations < settings_.max_iterations) {
     auto const given = fault_.given(to);
-    const FrictionProblem problem = {fault_.friction(), given};
+    const FrictionProblem friction = {fault_.friction(), given}; // of the whole slip rate
+    FrictionProblem const problem = slips_beside_ ? friction.beside(beside_) : friction; // of w
     result.iterations += at_rest ? 0 : 1;
     count.rate_problems += at_rest ? 0 : 1;
     auto const rate = at_rest ? solver.solve(problem) : solver.improve(problem);
@@ -314,7 +317,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       return result;
     }
     meanSlipRate(solver);
-    const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, problem, to});
+    const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, friction, to});
     const double of_fault = unknowns_.change(settings_.norm);
     const bool fault_rests = rate.converged && of_fault <= settings_.tolerance;
     const bool asks_rock =

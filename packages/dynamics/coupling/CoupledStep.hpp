@@ -166,6 +166,8 @@ private:
   // The part of the mean velocity that follows from the past and from prescribed velocities; the
   // mean velocity itself.
   BlockView mean_offset_, mean_;
+  BlockView beside_;          // prescribedBesideSliding at the end of the step
+  bool slips_beside_ = false; // whether it has any
   NodeView V_;
 };
 } // namespace asperity::dynamics

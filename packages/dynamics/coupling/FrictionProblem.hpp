@@ -17,6 +17,13 @@ public:
   {
   }
 
+  // The problem for the unknowns alone, where their held components rest but `prescribed`
+  // (num_nodes, T) is added to what friction depends on.
+  FrictionProblem beside(ConstBlockView const& prescribed) const
+  {
+    return {kernels_, {at_.alpha, at_.sigma_n, prescribed}};
+  }
+
   int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
                BlockView const& v) const override
   {

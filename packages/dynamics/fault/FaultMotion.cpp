@@ -1,6 +1,5 @@
 #include "dynamics/fault/FaultMotion.hpp"
 
-#include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/RateMatrix.hpp"
@@ -16,43 +15,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-// By rounding, a plate rate along a wall has components across the wall of up to this share.
-constexpr double rounding = 1e-9;
-
-// node * T + k of the first tangential component k of this rank that is held and slips while
-// another one of its node is free; num_nodes * T if there is none.
-int firstThatSlipsBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity)
-{
-  auto const values = prescribed_velocity.getLocalViewDevice(Tpetra::Access::ReadOnly);
-  auto const dofs = surface.dofs();
-  auto const held = surface.heldDofs();
-  auto const rates = surface.plateRates();
-  const double factor = surface.slipFactor();
-  const bool plates = surface.hasPlateRate();
-  const int size = surface.numTangents();
-  const int count = surface.numNodes() * size;
-  int first = count;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::slipsBesideSliding", RangePolicy(0, surface.numNodes()),
-    KOKKOS_LAMBDA(int node, int& least) {
-      double square = 0;
-      bool slides = false;
-      for (int k = 0; k < size; ++k) {
-        const double rate = plates ? rates(node * size + k) : 0;
-        square += rate * rate;
-        slides = slides || !held(dofs(node, k));
-      }
-      for (int k = 0; k < size && slides; ++k) {
-        const int place = node * size + k;
-        const double slip_rate = factor * values(dofs(node, k), 0) + (plates ? rates(place) : 0);
-        const bool rests = math::fabs(slip_rate) <= rounding * math::sqrt(square);
-        least = held(dofs(node, k)) && !rests && place < least ? place : least;
-      }
-    },
-    Kokkos::Min<int>(first));
-  return std::min(first, count); // a rank may have no nodes
-}
-
 // blocks += Vp time / slip factor, the motion of the plates in a time [s].
 void addPlates(fem::FaultSurface const& surface, double time, BlockView const& blocks)
 {
@@ -95,23 +57,34 @@ void dropRounding(fem::FaultSurface const& surface, BlockView const& w)
 }
 } // namespace
 
-void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
-                              int components, double t)
+bool prescribedBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
+                             BlockView const& blocks)
 {
-  const int place = firstThatSlipsBesideSliding(surface, prescribed_velocity);
+  // By rounding, a plate rate along a wall has components across the wall of up to this share.
+  constexpr double rounding = 1e-9;
+  auto const values = prescribed_velocity.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = surface.dofs();
+  auto const held = surface.heldDofs();
+  auto const slides = surface.slidingNodes();
+  auto const rates = surface.plateRates();
+  const double factor = surface.slipFactor();
+  const bool plates = surface.hasPlateRate();
   const int size = surface.numTangents();
-  if (place == surface.numNodes() * size) {
-    return;
-  }
-  auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
-  const int dof = surface[place / size].dofs[place % size];
-  ASPERITY_REQUIRE(
-    false, "At vertex " << prescribed_velocity.getMap()->getGlobalElement(dof) / components
-                        << " of the fault one tangential velocity is prescribed as "
-                        << values(dof, 0) << " m/s at t = " << t << " s"
-                        << (surface.hasPlateRate() ? ", which with the plate rate is slip," : ",")
-                        << " and the other one is free. Prescribe zero (where the fault ends at a "
-                           "wall), or prescribe both.");
+  int num_found = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::prescribedBesideSliding", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, int& count) {
+      const double of_plates = plates ? motionOfPlates(rates, node, size, factor) : 0;
+      for (int k = 0; k < size; ++k) {
+        const int dof = dofs(node, k);
+        const double of_plate = plates ? rates(node * size + k) / factor : 0;
+        const double w = slides(node) && held(dof) ? values(dof, 0) + of_plate : 0;
+        blocks(node, k) = math::fabs(w) > rounding * of_plates ? w : 0;
+        count += blocks(node, k) != 0 ? 1 : 0;
+      }
+    },
+    num_found);
+  return num_found > 0;
 }
 
 void gather(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks)

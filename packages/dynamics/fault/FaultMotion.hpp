@@ -56,10 +56,10 @@ double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V);
 double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstNodeView const& b,
                 Norm norm = Norm::root_mean_square);
 
-// Where a node is held in one tangential component and free in another, friction knows the
-// direction of slip only if the held component does not slip. Throws InputError if the prescribed
-// velocity (owned dofs, `components` for each vertex) and the plate rate add up to slip there.
-// t [s] is for the message.
-void requireRestBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
-                              int components, double t);
+// The velocity w, as of gatherSlip, that is prescribed in held tangential components beside free
+// ones, with prescribed_velocity(owned dofs): blocks(num_nodes, T), zero elsewhere. Friction at
+// such a node depends on it, too (friction::StateAndStress::prescribed). Returns whether this rank
+// has any.
+bool prescribedBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
+                             BlockView const& blocks);
 } // namespace asperity::dynamics

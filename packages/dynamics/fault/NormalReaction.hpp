@@ -47,8 +47,8 @@ private:
   ConstNodeView per_force_; // R_i / r_i
 };
 
-// The reaction across the fault of a run, and R at the start of the run; both are empty if the
-// normal stress does not follow the body.
+// The reaction across the fault of a run, and R at the start of the run; both are empty for a model
+// whose normal stress does not follow the body.
 struct ReactionSinceStart
 {
   std::shared_ptr<const NormalReaction> reaction = {};

@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "fem/constraints/detail/ConditionNodes.hpp"
+#include "fem/constraints/detail/FaultTurns.hpp"
 #include "fem/constraints/detail/SplitDirections.hpp"
 #include "mesh/PointText.hpp"
 
@@ -44,37 +44,6 @@ NodalFrames::Matrix frameFrom(Vectors basis, int components, int turn)
   return frame;
 }
 
-// Sets the turn of each condition with the normal of a fault, from the mean tangent of the fault.
-// The tangents of a ring have none: they run counterclockwise, as plus is the outside.
-template <int Dim>
-void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
-                 std::vector<VelocityCondition<Dim>>& conditions)
-{
-  for (auto& condition : conditions) {
-    constexpr double of_ring = 0.05; // of a mean of unit normals; as where sides are chosen
-    constexpr int counterclockwise = -1;
-    std::vector<double> mean(3, 0.); // normal, not normalised; sum of sizes
-    for (auto const& name : condition.boundariesOfNormal()) {
-      if (condition.normal() == Normal::of_fault && mesh.boundaries.count(name) > 0) {
-        for (auto const& [node, normal] : detail::inwardNormals(mesh, 2, {name})) {
-          mean[0] += normal[0];
-          mean[1] += normal[1];
-          mean[2] += std::hypot(normal[0], normal[1]);
-        }
-      }
-    }
-    mean = sumOverRanks(mean, communicator);
-    const double length = std::hypot(mean[0], mean[1]);
-    if (mean[2] > 0 && length < of_ring * mean[2]) {
-      condition.turn = counterclockwise;
-    } else if (length > 0) {
-      const std::vector<double> normal = {mean[0] / length, mean[1] / length};
-      const double same = detail::dot(detail::tangentOf(normal, 1), detail::tangentOf(normal, 0));
-      condition.turn = same > 0 ? 1 : -1;
-    }
-  }
-}
-
 // x(dofs) := values
 void set(Vector& x, IndexView const& dofs, ConstNodeView const& values)
 {
@@ -96,7 +65,7 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     , owned_vertices_(mesh.vertices.begin(), mesh.vertices.begin() + mesh.num_owned)
 {
   if (Dim == 2 && dofs.components() == 2) {
-    chooseTurns(mesh, *dofs.communicator(), conditions_);
+    detail::chooseTurns(mesh, *dofs.communicator(), conditions_);
   }
   auto const at_vertices = detail::collectDirections(mesh, conditions_, dofs.components());
   largest_ = largestVelocities(at_vertices, *dofs.communicator());

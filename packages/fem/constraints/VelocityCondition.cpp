@@ -89,8 +89,7 @@ Boundaries VelocityCondition<Dim>::boundariesOfNormal() const
                           [](FreeAcrossFault const& one) { return one.continuations; },
                           [](SlipAlongTangent<Dim> const& one) { return one.continuations; },
                           [](SlipTowards<Dim> const& one) { return one.continuations; },
-                          [](NoSlipSideways const& one) { return one.continuations; },
-                          [](NoSlipSidewaysAtEdge const&) { return Boundaries(); }},
+                          [](NoSlipSideways const& one) { return one.continuations; }},
                kind);
   boundaries.push_back(boundary);
   // Sorted, so that boundaries that continue each other sum the facets in the same order, and their
@@ -119,10 +118,7 @@ Components VelocityCondition<Dim>::unitDirection(Components const& inward_normal
       [&](SlipTowards<Dim> const& one) {
         return alongBoundary(*this, inward_normal, one.d, false);
       },
-      [&](NoSlipSideways const& one) { return alongBoundary(*this, inward_normal, one.d, true); },
-      [&](NoSlipSidewaysAtEdge const& one) {
-        return alongBoundary(*this, inward_normal, one.d, true);
-      }},
+      [&](NoSlipSideways const& one) { return alongBoundary(*this, inward_normal, one.d, true); }},
     kind);
 }
 

@@ -141,23 +141,13 @@ struct NoSlipSideways
   Boundaries continuations; // the normal is the mean over their facets, too
 };
 
-// v . s = 0 as for NoSlipSideways, but only at the nodes that lie on another boundary, too.
-struct NoSlipSidewaysAtEdge
-{
-  static constexpr auto normal = Normal::of_fault;
-  static constexpr bool prescribes = true, holds_across = false;
-  static constexpr ZeroVelocity velocity = {};
-  std::vector<double> d;
-  std::string other_boundary;
-};
-
 // A condition of one of these kinds on one boundary.
 template <int Dim>
 struct VelocityCondition
 {
-  using Kind = std::variant<PrescribedVelocity<Dim>, AtRestAlong, SlidingWall, ContactAcrossFault,
-                            FreeAcrossFault, SlipAlongTangent<Dim>, SlipTowards<Dim>,
-                            NoSlipSideways, NoSlipSidewaysAtEdge>;
+  using Kind =
+    std::variant<PrescribedVelocity<Dim>, AtRestAlong, SlidingWall, ContactAcrossFault,
+                 FreeAcrossFault, SlipAlongTangent<Dim>, SlipTowards<Dim>, NoSlipSideways>;
 
   std::string name; // for messages, e.g. "Boundary Conditions / Backstop"
   std::string boundary;

@@ -7,9 +7,10 @@
 // references, which would take longer than the work at one node.
 namespace asperity::friction::detail
 {
-// v_i := the minimiser under the force r_i. False: there is none.
+// v_i := the minimiser under the force r_i, beside a prescribed velocity of this length. False:
+// there is none.
 template <int T, class Potential>
-KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double curvature,
+KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double beside, double curvature,
                                        double const (&force)[T], double* v)
 {
   double rate[T];
@@ -17,7 +18,8 @@ KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double curvat
     rate[j] = v[j];
   }
   const double load = length(force);
-  const auto solution = potential.minimise(curvature, load, length(rate));
+  const auto solution = beside > 0 ? potential.minimiseBeside(beside, curvature, load, length(rate))
+                                   : potential.minimise(curvature, load, length(rate));
   for (int j = 0; j < T && solution.converged; ++j) {
     v[j] = solution.V == 0 ? 0 : solution.V * (force[j] / load);
   }
@@ -40,7 +42,10 @@ struct Minimise
     for (int j = 0; j < T; ++j) {
       force[j] = r(node, j);
     }
-    num_failed += minimiseAt(potentials(node), curvature(node), force, &v(node, 0)) ? 0 : 1;
+    num_failed += minimiseAt(potentials(node), potentials.template prescribedRate<T>(node),
+                             curvature(node), force, &v(node, 0))
+                    ? 0
+                    : 1;
   }
 };
 
@@ -68,7 +73,8 @@ struct Sweep
         after[j] = v(node, j);
         force[j] = held(node * T + j) ? 0 : r(node, j) + curvature(node) * after[j];
       }
-      const bool found = minimiseAt(potentials(node), curvature(node), force, after);
+      const bool found = minimiseAt(potentials(node), potentials.template prescribedRate<T>(node),
+                                    curvature(node), force, after);
       bool changed = false;
       for (int j = 0; j < T; ++j) {
         change[j] = after[j] - v(node, j);
@@ -117,9 +123,7 @@ struct Linearise
   KOKKOS_INLINE_FUNCTION void operator()(int node) const
   {
     double unit[T] = {};
-    for (int j = 0; j < T; ++j) {
-      unit[j] = v(node, j);
-    }
+    potentials.loadRate(node, &v(node, 0), unit);
     const double s = length(unit);
     for (int j = 0; j < T && s > 0; ++j) {
       unit[j] /= s;
@@ -153,9 +157,10 @@ struct Slope
   KOKKOS_INLINE_FUNCTION void operator()(int node, double& sum) const
   {
     double direction[T], rate[T];
+    potentials.loadRate(node, &v(node, 0), rate);
     for (int j = 0; j < T; ++j) {
       direction[j] = d(node, j);
-      rate[j] = v(node, j) + t * direction[j];
+      rate[j] += t * direction[j];
     }
     const double s = length(rate);
     double growth = 0; // of |v + t d| with t, from above
@@ -180,8 +185,8 @@ struct Differences
   KOKKOS_INLINE_FUNCTION void operator()(int node, double& change, double& magnitude) const
   {
     double before[T], after[T];
+    potentials.loadRate(node, &v(node, 0), before);
     for (int j = 0; j < T; ++j) {
-      before[j] = v(node, j);
       after[j] = before[j] + d(node, j);
     }
     const double s = length(before);

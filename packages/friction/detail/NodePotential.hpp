@@ -1,5 +1,6 @@
 #pragma once
 
+#include "friction/detail/PrescribedBeside.hpp"
 #include "friction/detail/RateSolve.hpp"
 
 #include <type_traits>
@@ -103,6 +104,21 @@ struct NodePotential
       return {0, true};
     }
     RateSolve<Curve> solve(curve, curvature / factor, weight * sigma_n, excess);
+    const RateSolution solution = solve.solve(factor * guess);
+    return {solution.V / factor, solution.converged};
+  }
+
+  // The length of argmin_w curvature/2 |w|^2 - <r, w> + psi(w + p) for |r| = load, where w is at
+  // right angles to p, which is prescribed, and |p| = beside > 0. As psi is convex, so is its
+  // restriction, and it is smooth at w = 0.
+  KOKKOS_INLINE_FUNCTION RateSolution minimiseBeside(double beside, double curvature, double load,
+                                                     double guess) const
+  {
+    if (!(curvature > 0) || !isFinite(load)) {
+      return {0, false};
+    }
+    RateSolve<PrescribedBeside<Curve>> solve({curve, sigma_n, cohesion, factor * beside},
+                                             curvature / factor, weight, load);
     const RateSolution solution = solve.solve(factor * guess);
     return {solution.V / factor, solution.converged};
   }

@@ -47,18 +47,43 @@ struct NodePotentials
   Unmanaged<ConstNodeView> weight;
   Unmanaged<ConstNodeView> cohesion;
   Unmanaged<ConstNodeView> slip_factor;
-  Unmanaged<ConstNodeView> alpha = {};   // set by at()
-  Unmanaged<ConstNodeView> sigma_n = {}; // set by at()
+  Unmanaged<ConstNodeView> alpha = {};       // set by at()
+  Unmanaged<ConstNodeView> sigma_n = {};     // set by at()
+  Unmanaged<ConstBlockView> prescribed = {}; // set by at(); perhaps without entries
 
   NodePotentials at(StateAndStress const& given) const
   {
-    return {laws, weight, cohesion, slip_factor, given.alpha, given.sigma_n};
+    return {laws, weight, cohesion, slip_factor, given.alpha, given.sigma_n, given.prescribed};
   }
 
   KOKKOS_INLINE_FUNCTION NodePotential<typename Law::Curve> operator()(int node) const
   {
     return {weight(node), sigma_n(node), cohesion(node), slip_factor(node),
             laws(node).at(alpha(node))};
+  }
+
+  // The velocity that friction depends on: rate[T] = v + prescribed, where v has the unknowns.
+  template <int T>
+  KOKKOS_INLINE_FUNCTION void loadRate(int node, double const* v, double (&rate)[T]) const
+  {
+    const bool adds = prescribed.extent(0) > 0;
+    for (int j = 0; j < T; ++j) {
+      rate[j] = adds ? v[j] + prescribed(node, j) : v[j];
+    }
+  }
+
+  // The length of the prescribed part of that velocity.
+  template <int T>
+  KOKKOS_INLINE_FUNCTION double prescribedRate(int node) const
+  {
+    if (prescribed.extent(0) == 0) {
+      return 0;
+    }
+    double part[T];
+    for (int j = 0; j < T; ++j) {
+      part[j] = prescribed(node, j);
+    }
+    return length(part);
   }
 
   int size() const { return static_cast<int>(laws.extent(0)); }

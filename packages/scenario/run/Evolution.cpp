@@ -24,6 +24,7 @@ namespace
 {
 const std::string of_growth = "growth_watch/", of_stall = "stall_watch/",
                   of_front = "front_watch/"; // in a checkpoint
+const std::string of_tension = "tension_watch";
 
 // The longest side of the body along an axis [m].
 template <int Dim>
@@ -61,6 +62,8 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , rate_to_tell_(problem_.largest_slip_rate)
     , pressure_watch_(model_.fault)
     , front_watch_(problem_.scales.zone, model_.fault)
+    , tension_watch_(model_.body, model_.fault,
+                     condensation_ ? condensation_->reactionFrom(problem_.across) : problem_.across)
     , skipped_times_(deck)
 {
   auto const update =
@@ -172,6 +175,7 @@ void Evolution<Dim>::saveWatches(io::Archive& checkpoint) const
   checkpoint.set(of_stall + "smallest", stall_watch_.memory().smallest);
   checkpoint.set(of_stall + "forced", stall_watch_.memory().forced);
   front_watch_.save(checkpoint, of_front);
+  tension_watch_.save(checkpoint, of_tension);
 }
 
 // Counts go on, so that restarts do not escape the limits. What has been cured is counted anew:
@@ -180,6 +184,7 @@ void Evolution<Dim>::saveWatches(io::Archive& checkpoint) const
 template <int Dim>
 void Evolution<Dim>::restoreWatches(io::Archive const& checkpoint)
 {
+  tension_watch_.restore(checkpoint, of_tension);
   if (!checkpoint.has(of_growth + "forced")) {
     return;
   }
@@ -280,6 +285,14 @@ void Evolution<Dim>::watchRate()
   if (rate > rate_to_tell_) {
     rate_to_tell_ = 10 * rate;
     warnings_.push_back(dynamics::warnOfSlipRate(rate, problem_.largest_slip_rate));
+  }
+}
+
+template <int Dim>
+void Evolution<Dim>::watchTension()
+{
+  if (auto const warning = tension_watch_.note(balance_.force(), time())) {
+    warnings_.push_back(*warning);
   }
 }
 

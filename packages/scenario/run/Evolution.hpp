@@ -16,6 +16,7 @@
 #include "scenario/run/FrontWatch.hpp"
 #include "scenario/run/PressureWatch.hpp"
 #include "scenario/run/SkippedTimes.hpp"
+#include "scenario/run/TensionWatch.hpp"
 
 #include <memory>
 #include <optional>
@@ -62,6 +63,9 @@ public:
   void watchGrowth();
   // Warns if the slip rate after that step is beyond what the model describes.
   void watchRate();
+  // Warns if the body pulls at the fault somewhere; what there was of it in the whole run.
+  void watchTension();
+  std::optional<Warning> tensionOfRun() const { return tension_watch_.ofRun(); }
   // Warns if a pressure takes all normal stress of the fault somewhere. Collective.
   void watchPressure();
   // Warns if cells do not resolve a front of slip. Collective.
@@ -108,6 +112,7 @@ private:
   double rate_to_tell_;    // peak slip rate at which the next warning comes [m/s]
   PressureWatch pressure_watch_;
   FrontWatch front_watch_;
+  TensionWatch tension_watch_;
   SkippedTimes skipped_times_;
   RunView view_;
 };

@@ -7,6 +7,7 @@
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "catalogue/receivers/OnFault.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
@@ -47,7 +48,7 @@ public:
                RCP<const Communicator> const& communicator);
 
   int run() override;
-  Description description() const override { return describe(evolution_.problem(), *deck_); }
+  Description description() const override;
 
 private:
   int makeSteps(StopSignals const& signals);
@@ -98,7 +99,9 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
     , checkpoints_(directory_, deck->sublist("Output"), command_line.plugins,
-                   fingerprint(*deck, evolution_.problem().mesh, *communicator), communicator)
+                   fingerprint(completeDirections(*deck, Dim, evolution_.problem().upright),
+                               evolution_.problem().mesh, *communicator),
+                   communicator)
 {
   registerFields(registry_, evolution_.problem(), evolution_.view(), domains_,
                  deck->sublist("Friction"));
@@ -130,6 +133,22 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
   if (communicator->getRank() == 0) {
     writeParameters(*deck, (directory_ / "parameters.xml").string());
   }
+}
+
+template <int Dim>
+Description SimulationOf<Dim>::description() const
+{
+  auto result = describe(evolution_.problem(), *deck_);
+  auto const fault = domains_.find("fault");
+  if (fault == domains_.end()) {
+    return result;
+  }
+  if (auto const warning = catalogue::warnOfReceiversOnFault(
+        deck_->sublist("Output").sublist("Receivers"), domains_.at("volume"), fault->second,
+        evolution_.problem().mesh.splits)) {
+    result.warnings.push_back(*warning);
+  }
+  return result;
 }
 
 template <int Dim>
@@ -268,6 +287,7 @@ void SimulationOf<Dim>::begin()
   }
   evolution_.watchRate();
   evolution_.watchPressure();
+  evolution_.watchTension();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   if (evolution_.atEnd()) {
@@ -296,6 +316,7 @@ void SimulationOf<Dim>::advance()
   evolution_.watchRate();
   evolution_.watchPressure();
   evolution_.watchFront();
+  evolution_.watchTension();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
   tellProgress(info);
@@ -345,8 +366,10 @@ void SimulationOf<Dim>::report(bool finished)
   summary.finished = finished;
   summary.directory = directory_.string();
   record_->message(summarise(summary, outputs_->report()));
-  if (auto const warning = warnOfDefect(summary.energy)) {
-    record_->warn(*warning);
+  for (auto const& warning : {warnOfDefect(summary.energy), evolution_.tensionOfRun()}) {
+    if (warning) {
+      record_->warn(*warning);
+    }
   }
   if (auto const topics = record_->topics(); !topics.empty()) {
     record_->message(

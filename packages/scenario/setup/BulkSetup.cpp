@@ -9,6 +9,7 @@
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
 #include "scenario/setup/StressAtStart.hpp"
+#include "scenario/setup/Upright.hpp"
 #include "scenario/setup/VolumetricSetup.hpp"
 
 #include <algorithm>
@@ -72,7 +73,9 @@ RCP<const ParameterList> bulkParameters()
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")
     .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
-               "(0 if left out). Its length has no effect.");
+               "(0 if left out). Its length has no effect. If it is left out, gravity points down: "
+               "against Output / Up or, without that, against the axis that is nearest to the "
+               "outward normal of the Free Surface; along -y if the deck has neither.");
   declareVolumetricStrain(declare);
   declareChoice(
     declare, law_choice, "Kelvin-Voigt", fem::bulkLaws(),
@@ -135,7 +138,7 @@ std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const
 }
 
 template <int Dim>
-std::array<double, Dim> gravity(ParameterList const& list)
+std::array<double, Dim> gravity(ParameterList const& list, std::array<double, 3> const& down)
 {
   const double acceleration = list.get<double>("Gravitational Acceleration");
   std::array<double, Dim> result{};
@@ -145,7 +148,9 @@ std::array<double, Dim> gravity(ParameterList const& list)
   ASPERITY_REQUIRE(displacementComponents(list) > 1,
                    bulk_path << " / Gravitational Acceleration = " << acceleration
                              << " does nothing to an antiplane model. Leave it out.");
-  auto const direction = list.get<Teuchos::Array<double>>("Gravity Direction");
+  auto const direction = isLeftOut(list, "Gravity Direction")
+                           ? Teuchos::Array<double>(down.begin(), down.begin() + Dim)
+                           : list.get<Teuchos::Array<double>>("Gravity Direction");
   double square = 0;
   for (double component : direction) {
     square += component * component;
@@ -410,7 +415,7 @@ std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> co
   template std::vector<fem::Material> elasticRockAt(ParameterList const&, Mesh<Dim> const&,        \
                                                     std::vector<int> const&,                       \
                                                     std::vector<std::array<double, 3>> const&);    \
-  template std::array<double, Dim> gravity<Dim>(ParameterList const&);
+  template std::array<double, Dim> gravity<Dim>(ParameterList const&, std::array<double, 3> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -49,7 +49,9 @@ std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> co
                                          std::vector<int> const& cells,
                                          std::vector<std::array<double, 3>> const& places);
 
-// The gravitational acceleration along the axes [m/s^2]; zero without gravity.
+// The gravitational acceleration along the axes [m/s^2]; zero without gravity. down: its direction
+// if the list gives none.
 template <int Dim>
-std::array<double, Dim> gravity(ParameterList const& list);
+std::array<double, Dim> gravity(ParameterList const& list,
+                                std::array<double, 3> const& down = {0, -1, 0});
 } // namespace asperity::scenario

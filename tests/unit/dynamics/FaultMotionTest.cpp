@@ -119,9 +119,14 @@ TEST(FaultMotion, SlidesWhereOneComponentIsFree)
   EXPECT_FALSE(fault.slides(0));
   EXPECT_TRUE(fault.slides(1) && fault.slides(2));
   EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(fault, v), 4);
-  EXPECT_NO_THROW(requireRestBesideSliding(fault, v, 2, 0));
+  const BlockView beside("beside", 3, 2);
+  EXPECT_FALSE(prescribedBesideSliding(fault, v, beside));
   v.replaceLocalValue(3, 1e-9);
-  EXPECT_THROW(requireRestBesideSliding(fault, v, 2, 0), InputError);
+  EXPECT_TRUE(prescribedBesideSliding(fault, v, beside));
+  for (int node = 0; node < 3; ++node) {
+    EXPECT_EQ(beside(node, 0), 0) << "free, or prescribed altogether";
+    EXPECT_EQ(beside(node, 1), node == 1 ? 1e-9 : 0);
+  }
 }
 
 // Slip rate = 2 v_t + Vp beside a mirror image.
@@ -217,15 +222,18 @@ TEST(FaultMotion, AFaultThatSticksToItsPlatesDoesNotSlip)
   EXPECT_EQ(v.getData()[3], 0);
 }
 
-// A wall across the motion of the plates: what is held slips at the plates' rate.
-TEST(FaultMotion, WallsAcrossTheMotionOfPlatesAreRefused)
+// A wall across the motion of the plates: what is held slips at the plates' rate, beside what is
+// free. What a wall along their motion leaves of it is rounding.
+TEST(FaultMotion, WallsAcrossTheMotionOfPlatesSlip)
 {
   const RCP<const Map> map = rcp(new Map(6 * world()->getSize(), 6, 0, world()));
   const Vector v(map);
   auto const fault = makeFault(2, OtherSide::rigid_foundation, {0, 1, 0, 0, 0, 0});
-  EXPECT_NO_THROW(requireRestBesideSliding(*fault.withPlateRate({3, 1e-12, 1, 1, 1, 1}), v, 2, 0));
-  EXPECT_THROW(requireRestBesideSliding(*fault.withPlateRate({3, 1e-3, 1, 1, 1, 1}), v, 2, 0),
-               InputError);
+  const BlockView beside("beside", 3, 2);
+  EXPECT_FALSE(prescribedBesideSliding(*fault.withPlateRate({3, 1e-12, 1, 1, 1, 1}), v, beside));
+  EXPECT_EQ(beside(0, 1), 0);
+  EXPECT_TRUE(prescribedBesideSliding(*fault.withPlateRate({3, 1e-3, 1, 1, 1, 1}), v, beside));
+  EXPECT_EQ(beside(0, 1), 1e-3);
 }
 
 TEST(FaultMotion, DistanceIsTheRootMeanSquareOverAllRanks)

@@ -4,9 +4,6 @@
 #include "fem/constraints/detail/ConditionNodes.hpp"
 #include "fem/constraints/detail/NodalBasis.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 namespace asperity::fem::detail
 {
 namespace
@@ -46,20 +43,6 @@ std::map<int, std::vector<double>> normalsOf(VelocityCondition<Dim> const& condi
   return normals;
 }
 
-template <int Dim>
-std::vector<int> nodesOf(VelocityCondition<Dim> const& condition, Mesh<Dim> const& mesh)
-{
-  auto const nodes = ownedNodes(mesh, condition.boundary);
-  auto const* at_edge = std::get_if<NoSlipSidewaysAtEdge>(&condition.kind);
-  if (at_edge == nullptr) {
-    return nodes;
-  }
-  auto const others = ownedNodes(mesh, at_edge->other_boundary);
-  std::vector<int> common;
-  std::set_intersection(nodes.begin(), nodes.end(), others.begin(), others.end(),
-                        std::back_inserter(common));
-  return common;
-}
 } // namespace
 
 template <int Dim>
@@ -71,7 +54,7 @@ NodalDirections collectDirections(Mesh<Dim> const& mesh,
   NodalDirections result;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     auto const normals = normalsOf(conditions[i], mesh, walls, components);
-    for (int node : nodesOf(conditions[i], mesh)) {
+    for (int node : ownedNodes(mesh, conditions[i].boundary)) {
       const int condition = static_cast<int>(i);
       result[node].push_back(
         {conditions[i].unitDirection(normals.at(node)), condition, {{condition, 1.}}});

@@ -26,6 +26,7 @@ struct BoundaryConditions
   std::vector<PlateRate> plate_rates; // of the faults that have one
   std::string surface;                // the first free surface, or else the first boundary with a
                                       // traction; empty if there is none
+  fem::Boundaries free_surfaces;      // all
   std::vector<std::string> absorbing; // boundaries with dashpots
   std::vector<fem::VelocityCondition<Dim>> velocities;
   std::vector<fem::BoundaryTraction> tractions;

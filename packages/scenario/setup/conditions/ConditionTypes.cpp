@@ -76,12 +76,6 @@ std::shared_ptr<const Field> velocityField(BoundaryCondition const& condition)
                                              : std::make_shared<Field>(Field::constant(0));
 }
 
-bool isDriven(ParameterList const& list)
-{
-  return isGiven(list, "Velocity") &&
-         !(list.isType<double>("Velocity") && list.get<double>("Velocity") == 0);
-}
-
 // One fault, or several inside the body.
 template <int Dim>
 void fault(BoundaryCondition const& condition, ConditionContext const& setting,
@@ -146,9 +140,6 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
                         "Give both the same.");
 }
 
-// Where a driven boundary meets the fault in three dimensions, slip at right angles to its
-// direction is zero: friction determines the direction of slip only where nothing else drives the
-// node.
 template <int Dim>
 void prescribedVelocity(BoundaryCondition const& condition, ConditionContext const& setting,
                         BoundaryConditions<Dim>& result)
@@ -163,12 +154,6 @@ void prescribedVelocity(BoundaryCondition const& condition, ConditionContext con
   auto const direction = directionOf(condition, setting.components);
   result.velocities.push_back(
     {condition.name, condition.boundary, fem::PrescribedVelocity<Dim>{direction, velocity}});
-  if (Dim == 3 && isDriven(condition.list)) {
-    for (auto const& fault : result.faults) {
-      result.velocities.push_back(
-        {condition.name, fault, fem::NoSlipSidewaysAtEdge{direction, condition.boundary}});
-    }
-  }
   result.ramp_end = std::max(result.ramp_end, duration);
 }
 
@@ -205,6 +190,7 @@ void freeSurface(BoundaryCondition const& condition, ConditionContext const&,
   if (result.surface.empty()) {
     result.surface = condition.boundary;
   }
+  result.free_surfaces.push_back(condition.boundary);
 }
 } // namespace
 
@@ -292,7 +278,8 @@ std::vector<ConditionType> makeTypes()
      DecidesOn::everything,
      {fixed<2>, fixed<3>}},
     {"Free Surface",
-     "there is no traction, which is the default; name it so that its motion can be written.",
+     "there is no traction, which is the default; name it so that its motion can be written and up "
+     "follows from it.",
      {},
      ConditionPlace::elsewhere,
      DecidesOn::everything,

@@ -50,14 +50,6 @@ typename Mesh<Dim>::Facet sorted(typename Mesh<Dim>::Facet facet)
   return facet;
 }
 
-// Conditions on the velocity that hold on whole facets of a boundary.
-template <int Dim>
-bool holdsOnFacets(fem::VelocityCondition<Dim> const& condition)
-{
-  return condition.prescribes() &&
-         !std::holds_alternative<fem::NoSlipSidewaysAtEdge>(condition.kind);
-}
-
 template <int Dim>
 class FacetsOfFault
 {
@@ -120,7 +112,7 @@ void requireFreeFault(BoundaryConditions<Dim> const& boundary, Mesh<Dim> const& 
       }
       FacetsOfFault<Dim> facets(fault, mesh, components);
       for (auto const& condition : boundary.velocities) {
-        if (holdsOnFacets(condition)) {
+        if (condition.prescribes()) {
           facets.add(condition);
         }
       }

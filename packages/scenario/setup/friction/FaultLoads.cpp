@@ -1,5 +1,6 @@
 #include "scenario/setup/friction/FaultLoads.hpp"
 
+#include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/conditions/PlateRate.hpp"
@@ -7,6 +8,7 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity::scenario
@@ -31,6 +33,45 @@ std::vector<double> givenStress(NodalField const& field, FieldNodes const& nodes
                                           "compression is positive.");
   }
   return values;
+}
+
+// Of the pressure(num_nodes) of the static solution, where it is negative by more than rounding.
+std::vector<Warning> tensionAtStart(std::vector<double> const& pressure,
+                                    fem::FaultSurface const& surface)
+{
+  constexpr double rounding = 1e-9; // of the largest pressure
+  auto const& communicator = *surface.communicator();
+  double largest = 0, least = 0;
+  for (const double value : pressure) {
+    largest = std::max(largest, std::abs(value));
+    least = std::min(least, value);
+  }
+  largest = maxOverRanks(largest, communicator);
+  const double lowest = minOverRanks(least, communicator);
+  std::array<double, 2> measure{};
+  int first = -1;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    const double weight = surface.slides(node) ? surface[node].weight : 0;
+    measure[0] += pressure[node] < -rounding * largest ? weight : 0;
+    measure[1] += weight;
+    first = pressure[node] == lowest && first < 0 ? node : first;
+  }
+  measure = sumOverRanks(measure, communicator);
+  if (!(measure[0] > 0)) {
+    return {};
+  }
+  const int rank = communicator.getRank(), none = communicator.getSize();
+  const int of_place = minOverRanks(first < 0 ? none : rank, communicator);
+  auto const place =
+    sumOverRanks(of_place == rank ? surface[first].place : std::array<double, 3>{}, communicator);
+  return {{"tension at the start",
+           "The static solution pulls at " +
+             formatShort(std::round(1000 * measure[0] / measure[1]) / 10) +
+             " % of the fault, most with " + formatShort(-lowest) + " Pa of tension at " +
+             formatPoint({place[0], place[1], place[2]}) +
+             " m: the normal stress of friction is set to zero there, and the model holds the "
+             "fault shut. "
+             "Check Gravity Direction, Up and the boundary conditions, or give a Normal Stress."}};
 }
 
 std::vector<double> slipDirection(ParameterList const& friction)
@@ -108,7 +149,7 @@ std::function<void(double, Vector&)> loadWithTraction(
 
 NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes const& nodes,
                                     std::vector<double> const& pressure,
-                                    Communicator const& communicator)
+                                    fem::FaultSurface const& surface)
 {
   const double factor = friction.get<double>("Normal Stress Factor");
   auto const constant = [factor](std::vector<double> const& values) {
@@ -116,17 +157,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes co
       toDevice(compression(values, factor), "asperity::scenario::normalStress"));
   };
   if (!isGiven(friction, "Normal Stress")) {
-    int num_tensile = 0;
-    for (double value : pressure) {
-      num_tensile += value < 0;
-    }
-    num_tensile = sumOverRanks(num_tensile, communicator);
-    std::vector<std::string> remarks;
-    if (num_tensile > 0) {
-      remarks.push_back("The static solution pulls at " + std::to_string(num_tensile) +
-                        " fault nodes; their normal stress would be tensile and is set to zero.");
-    }
-    return {constant(pressure), remarks};
+    return {constant(pressure), tensionAtStart(pressure, surface)};
   }
   const NodalField given(Field(friction, "Normal Stress", friction_path, nodes.region_names),
                          nodes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "dynamics/fault/NormalStress.hpp"
 #include "fem/BoundaryLoad.hpp"
 #include "fem/FaultSurface.hpp"
@@ -42,14 +43,14 @@ std::function<void(double, Vector&)> loadWithTraction(
 struct NormalStressOfDeck
 {
   dynamics::NormalStress normal_stress;
-  std::vector<std::string> remarks; // for the log
+  std::vector<Warning> warnings;
 };
 
 // sigma_n = factor * max(values, 0), where factor is the deck's `Normal Stress Factor`. The values
 // are the deck's `Normal Stress` if it is given, else the pressure(num_nodes) [Pa] of the
-// foundation. Throws InputError if the deck's normal stress is negative at t = 0; values that
-// become negative later count as zero. Collective.
+// foundation: a warning says where and how much it pulls. Throws InputError if the deck's normal
+// stress is negative at t = 0; values that become negative later count as zero. Collective.
 NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes const& nodes,
                                     std::vector<double> const& pressure,
-                                    Communicator const& communicator);
+                                    fem::FaultSurface const& surface);
 } // namespace asperity::scenario

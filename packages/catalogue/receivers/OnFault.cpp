@@ -1,0 +1,94 @@
+#include "catalogue/receivers/OnFault.hpp"
+
+#include "base/Text.hpp"
+#include "catalogue/receivers/PointLocation.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace asperity::catalogue
+{
+namespace
+{
+// As a share of the size of a cell: coordinates on an inclined fault are rounded.
+constexpr double rounding = 1e-6;
+constexpr double off_fault = 1e-3; // far enough to tell the sides apart
+
+// (num_owned) of a domain: 1 at nodes whose vertex is in the set.
+std::vector<double> nodesIn(io::OutputDomain const& domain, std::set<int> const& vertices)
+{
+  std::vector<double> result;
+  for (const int vertex : domain.vertices) {
+    result.push_back(vertices.count(vertex) > 0 ? 1 : 0);
+  }
+  return result;
+}
+
+// Of each located point: the number of its boundary among those that a fault is made of.
+std::vector<double> boundariesAt(io::OutputDomain const& fault,
+                                 std::vector<LocatedPoint> const& located)
+{
+  if (fault.boundaries.empty()) {
+    return std::vector<double>(located.size(), 0.);
+  }
+  const std::vector<double> numbers(fault.element_boundaries.begin(),
+                                    fault.element_boundaries.end());
+  return Sampling(fault, located, io::Centring::elements)(numbers, 1);
+}
+} // namespace
+
+std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
+                                              io::OutputDomain const& volume,
+                                              io::OutputDomain const& fault,
+                                              std::vector<SplitVertex> const& splits)
+{
+  auto const& list = receivers.sublist("Off Fault");
+  std::vector<std::string> names;
+  std::vector<double> places;
+  for (auto const& entry : list) {
+    const auto place = list.get<Teuchos::Array<double>>(entry.first);
+    if (place.size() == volume.dimension) { // others are refused
+      names.push_back(entry.first);
+      places.insert(places.end(), place.begin(), place.end());
+    }
+  }
+  if (names.empty() || !receivers.get<bool>("Enabled")) {
+    return std::nullopt;
+  }
+  std::set<int> cut; // the plus vertices, but for tips
+  for (auto const& split : splits) {
+    if (!split.is_tip) {
+      cut.insert(split.plus);
+    }
+  }
+  const auto on_fault = locate(fault, places), in_body = locate(volume, places);
+  const auto apart = Sampling(fault, on_fault)(nodesIn(fault, cut), 1);
+  const auto plus = Sampling(volume, in_body)(nodesIn(volume, cut), 1);
+  const auto boundaries = boundariesAt(fault, on_fault);
+  std::string found;
+  double cell = 0;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    auto const& point = on_fault[i];
+    if (point.distance > rounding * point.element_size || !(apart[i] > 0)) {
+      continue;
+    }
+    cell = found.empty() ? point.element_size : std::min(cell, point.element_size);
+    found += (found.empty() ? "'" : ", '") + names[i] + "' at " + formatPoint(point.coordinates) +
+             " m records the " + (plus[i] > 0 ? "plus" : "minus") + " side";
+    if (!fault.boundaries.empty()) {
+      found += " of '" + fault.boundaries[std::lround(boundaries[i])] + "'";
+    }
+  }
+  if (found.empty()) {
+    return std::nullopt;
+  }
+  return Warning{"receivers on the fault",
+                 "Output / Receivers / Off Fault: these lie on the fault, whose two sides move "
+                 "apart: " +
+                   found + ". Move each off the fault to the side that you want; " +
+                   formatShort(off_fault * cell) + " m are enough."};
+}
+} // namespace asperity::catalogue

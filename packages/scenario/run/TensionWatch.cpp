@@ -1,0 +1,208 @@
+#include "scenario/run/TensionWatch.hpp"
+
+#include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace asperity::scenario
+{
+namespace
+{
+constexpr double of_normal_stress = 0.01, of_shear_stress = 0.1;
+constexpr char const* topic = "fault in tension";
+
+// Of forces(owned dofs) along the fault at this rank's nodes that slide [Pa]; 0 without nodes.
+double largestShear(fem::FaultSurface const& surface, Vector const& all)
+{
+  auto const forces = all.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const dofs = surface.dofs();
+  auto const weights = surface.weights();
+  auto const slides = surface.slidingNodes();
+  const int size = surface.numTangents();
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::scenario::largestShearStress", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, double& largest) {
+      double square = 0;
+      for (int k = 0; k < size; ++k) {
+        const double tau = forces(dofs(node, k), 0) / weights(node);
+        square += tau * tau;
+      }
+      const double tau = slides(node) ? math::sqrt(square) : 0;
+      largest = tau > largest ? tau : largest;
+    },
+    Kokkos::Max<double>(result));
+  return std::max(result, 0.);
+}
+
+double largestOf(ConstNodeView const& values)
+{
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::scenario::largest", RangePolicy(0, values.extent(0)),
+    KOKKOS_LAMBDA(int node, double& largest) {
+      largest = values(node) > largest ? values(node) : largest;
+    },
+    Kokkos::Max<double>(result));
+  return std::max(result, 0.); // a rank may have no nodes
+}
+
+// tension := tension + start - sigma_0 where the node slides, else 0; it has -R before.
+void setTension(fem::FaultSurface const& surface, ConstNodeView const& start,
+                ConstNodeView const& sigma_0, NodeView const& tension)
+{
+  auto const slides = surface.slidingNodes();
+  Kokkos::parallel_for(
+    "asperity::scenario::tension", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
+      tension(node) = slides(node) ? tension(node) + start(node) - sigma_0(node) : 0;
+    });
+}
+
+// Of this rank's nodes with more than that.
+double measureAbove(fem::FaultSurface const& surface, ConstNodeView const& tension, double least)
+{
+  auto const weights = surface.weights();
+  double measure = 0;
+  Kokkos::parallel_reduce(
+    "asperity::scenario::inTension", RangePolicy(0, surface.numNodes()),
+    KOKKOS_LAMBDA(int node, double& sum) { sum += tension(node) > least ? weights(node) : 0; },
+    measure);
+  return measure;
+}
+
+// The first node of this rank with this value; the number of nodes if there is none.
+int firstWith(ConstNodeView const& values, double value)
+{
+  const int none = values.extent_int(0);
+  int first = none;
+  Kokkos::parallel_reduce(
+    "asperity::scenario::placeOfTension", RangePolicy(0, none),
+    KOKKOS_LAMBDA(int node, int& least) {
+      least = values(node) == value && node < least ? node : least;
+    },
+    Kokkos::Min<int>(first));
+  return std::min(first, none);
+}
+} // namespace
+
+TensionWatch::TensionWatch(dynamics::Body const& body, dynamics::Fault const& fault,
+                           dynamics::ReactionSinceStart const& since_start)
+    : fault_(fault)
+    , since_start_(since_start)
+    , sigma_0_("asperity::scenario::sigma0", fault.surface().numNodes())
+    , R_("asperity::scenario::compression", fault.surface().numNodes())
+{
+  auto const& surface = fault.surface();
+  auto const load = body.vector();
+  body.load(0, *load);
+  loads_ = maxOverRanks(largestShear(surface, *load), *surface.communicator());
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    sliding_ += surface.slides(node) ? surface[node].weight : 0;
+  }
+  sliding_ = sumOverRanks(sliding_, *surface.communicator());
+}
+
+TensionWatch::Tension TensionWatch::tensionAt(Vector const& force, double time)
+{
+  auto const& surface = fault_.surface();
+  auto const& communicator = *surface.communicator();
+  fault_.normalStress().at(time, sigma_0_);
+  auto const& reaction = *since_start_.reaction;
+  reaction.gather(force, R_); // l - M a - C v - K u, against which the reaction of the body acts
+  reaction.compression(R_, R_);
+  setTension(surface, since_start_.at_start, sigma_0_, R_);
+  const std::array<double, 3> mine = {largestOf(sigma_0_), largestShear(surface, force),
+                                      largestOf(R_)};
+  auto const all = maxOverRanks(mine, communicator);
+  const double least =
+    std::max(of_normal_stress * all[0], of_shear_stress * std::max(all[1], loads_));
+  Tension found;
+  if (!(all[2] > least)) {
+    return found;
+  }
+  const int first = firstWith(R_, all[2]);
+  const bool is_here = first < surface.numNodes();
+  const int rank = communicator.getRank(), none = communicator.getSize();
+  const int lowest = minOverRanks(is_here ? rank : none, communicator);
+  const std::array<double, 3> nowhere{};
+  found.share = sumOverRanks(measureAbove(surface, R_, least), communicator) / sliding_;
+  found.largest = all[2];
+  found.time = time;
+  found.place = sumOverRanks(lowest == rank ? surface[first].place : nowhere, communicator);
+  return found;
+}
+
+std::optional<Warning> TensionWatch::note(Vector const& force, double time)
+{
+  if (!since_start_.reaction || !(sliding_ > 0)) {
+    return std::nullopt;
+  }
+  auto const now = tensionAt(force, time);
+  most_.share = std::max(most_.share, now.share);
+  if (now.share > 0 && now.largest > most_.largest) {
+    most_.largest = now.largest;
+    most_.time = now.time;
+    most_.place = now.place;
+  }
+  if (!(now.share > 2 * told_)) {
+    return std::nullopt;
+  }
+  told_ = now.share;
+  return Warning{topic, "At t = " + formatShort(time) + " s the body " + text(now)};
+}
+
+std::optional<Warning> TensionWatch::ofRun() const
+{
+  if (!(most_.share > 0)) {
+    return std::nullopt;
+  }
+  return Warning{topic, "In this run the body " + text(most_) +
+                          " That was at t = " + formatShort(most_.time) + " s."};
+}
+
+std::string TensionWatch::text(Tension const& of) const
+{
+  std::vector<double> place(of.place.begin(), of.place.end());
+  auto const& stress = fault_.normalStress();
+  const bool is_fixed = stress.change() == dynamics::NormalStressChange::fixed;
+  return "pulls at " + formatShort(std::round(1000 * of.share) / 10) +
+         " % of the fault, most with " + formatShort(of.largest) + " Pa of tension at " +
+         formatPoint(place) + " m. A fault would open there, but the model holds it shut" +
+         (is_fixed ? ", and friction keeps the Normal Stress of the deck, since Normal Stress "
+                     "Change is Fixed. "
+                   : ", and the normal stress of friction is at its floor of " +
+                       formatShort(stress.floor()) + " Pa. ") +
+         "Check the signs of loads and velocities, and the Normal Stress at the start.";
+}
+
+void TensionWatch::save(io::Archive& archive, std::string const& path) const
+{
+  archive.set(path + "/share", most_.share);
+  archive.set(path + "/largest", most_.largest);
+  archive.set(path + "/time", most_.time);
+  archive.set(path + "/told", told_);
+  for (int d = 0; d < 3; ++d) {
+    archive.set(path + "/place_" + std::to_string(d), most_.place[d]);
+  }
+}
+
+// Earlier versions save nothing of it.
+void TensionWatch::restore(io::Archive const& archive, std::string const& path)
+{
+  if (!archive.has(path + "/share")) {
+    return;
+  }
+  most_.share = archive.getDouble(path + "/share");
+  most_.largest = archive.getDouble(path + "/largest");
+  most_.time = archive.getDouble(path + "/time");
+  told_ = archive.getDouble(path + "/told");
+  for (int d = 0; d < 3; ++d) {
+    most_.place[d] = archive.getDouble(path + "/place_" + std::to_string(d));
+  }
+}
+} // namespace asperity::scenario

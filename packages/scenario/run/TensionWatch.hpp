@@ -1,0 +1,59 @@
+#pragma once
+
+#include "base/Warning.hpp"
+#include "dynamics/fault/Fault.hpp"
+#include "dynamics/fault/NormalReaction.hpp"
+#include "io/Archive.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace asperity::scenario
+{
+// Notes where a body pulls at its fault. The model does not let faults open: it holds them shut,
+// and a real one would open there. The tension is -(sigma_0 + R - R(start)), where R is the
+// compression that the body exerts, whether the normal stress of friction follows it or is fixed.
+// It counts where it is above 1 % of the largest normal stress of the fault, and above 10 % of the
+// largest shear stress, of friction or of the loads at the start: cells leave errors of that size.
+class TensionWatch
+{
+public:
+  // since_start: the reaction across the fault of this body, and R at the start; empty where none
+  // presses across the fault (antiplane motion, antisymmetric faults). The fault must outlive this.
+  // Collective.
+  TensionWatch(dynamics::Body const& body, dynamics::Fault const& fault,
+               dynamics::ReactionSinceStart const& since_start);
+
+  // Looks at the end of a step, at `time` [s], where force(owned dofs) has the forces on the fault
+  // and the reactions of held dofs (EnergyBalance::force). A warning the first time, and whenever
+  // twice as much of the fault is in tension. The same on all ranks. Collective.
+  std::optional<Warning> note(Vector const& force, double time);
+
+  // A warning of the whole run: the largest share and the largest tension, if there was any.
+  std::optional<Warning> ofRun() const;
+
+  void save(io::Archive& archive, std::string const& path) const;
+  void restore(io::Archive const& archive, std::string const& path);
+
+private:
+  struct Tension
+  {
+    double share = 0;              // of the sliding part of the fault, by measure
+    double largest = 0;            // [Pa]
+    double time = 0;               // [s]
+    std::array<double, 3> place{}; // of the largest [m]
+  };
+  Tension tensionAt(Vector const& force, double time);
+  std::string text(Tension const& of) const;
+
+  dynamics::Fault const& fault_;
+  dynamics::ReactionSinceStart since_start_;
+  double sliding_ = 0; // measure of the nodes that slide
+  double loads_ = 0;   // the largest load along the fault at the start [Pa]
+  NodeView sigma_0_, R_;
+  Tension most_;    // the largest share, the largest tension with its time and place
+  double told_ = 0; // share at the last warning
+};
+} // namespace asperity::scenario

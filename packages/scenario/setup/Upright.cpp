@@ -1,0 +1,174 @@
+#include "scenario/setup/Upright.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace asperity::scenario
+{
+namespace
+{
+using Direction = std::array<double, 3>;
+
+constexpr double near_axis = 0.766; // cosine of 40 degrees
+constexpr double agreement = 0.5;   // cosine of 60 degrees, more than any slope
+constexpr double tilt = 0.866;      // cosine of 30 degrees, of gravity in a tilted sandbox
+constexpr double faces = 0.5;       // part of a surface's measure that its normal has to have
+
+double length(Direction const& v) { return std::sqrt(mesh::dot<3>(v, v)); }
+
+std::optional<Direction> unit(Direction v)
+{
+  const double size = length(v);
+  if (!(size > 0)) {
+    return std::nullopt;
+  }
+  for (double& component : v) {
+    component /= size;
+  }
+  return v;
+}
+
+// The entry as a unit vector; nothing if it is not given or no direction, which its readers refuse.
+std::optional<Direction> given(ParameterList const& list, char const* name)
+{
+  if (isLeftOut(list, name)) {
+    return std::nullopt;
+  }
+  auto const numbers = list.get<Teuchos::Array<double>>(name);
+  Direction v{};
+  for (int d = 0; d < 3 && d < numbers.size(); ++d) {
+    v[d] = numbers[d];
+  }
+  return unit(v);
+}
+
+Direction opposite(Direction v)
+{
+  for (double& component : v) {
+    component = 0. - component;
+  }
+  return v;
+}
+
+// The axis that is nearest to a unit vector, in either direction, or the vector itself.
+Direction snapped(Direction const& v)
+{
+  for (int d = 0; d < 3; ++d) {
+    if (std::abs(v[d]) >= near_axis) {
+      Direction axis{};
+      axis[d] = v[d] > 0 ? 1 : -1;
+      return axis;
+    }
+  }
+  return v;
+}
+
+// "{0, 0, -1}"
+std::string entryText(Direction const& v, int dimension)
+{
+  std::string text;
+  for (int d = 0; d < dimension; ++d) {
+    text += (d > 0 ? ", " : "{") + formatShort(std::round(1e4 * v[d]) / 1e4 + 0.);
+  }
+  return text + "}";
+}
+
+std::string degreesBetween(Direction const& a, Direction const& b)
+{
+  const double cosine = std::max(-1., std::min(1., mesh::dot<3>(a, b)));
+  return formatShort(std::round(std::acos(cosine) * 180 / M_PI)) + " degrees";
+}
+} // namespace
+
+bool isLeftOut(ParameterList const& list, std::string const& name)
+{
+  auto const* entry = list.getEntryPtr(name);
+  return entry == nullptr || entry->isDefault();
+}
+
+Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface)
+{
+  auto const& bulk = deck.sublist("Bulk");
+  auto const names = quotedNames(surface.boundaries);
+  const bool has_gravity = bulk.get<double>("Gravitational Acceleration") > 0;
+  auto const up = dimension == 3 ? given(deck.sublist("Output"), "Up") : std::nullopt;
+  auto const down = has_gravity ? given(bulk, "Gravity Direction") : std::nullopt;
+  auto const outward = length(surface.normal.normal) > faces * surface.normal.measure
+                         ? unit(surface.normal.normal)
+                         : std::nullopt;
+  const std::string entry_up = "Asperity / Output / Up",
+                    entry_down = "Asperity / Bulk / Gravity Direction";
+  if (outward && up) {
+    ASPERITY_REQUIRE(mesh::dot<3>(*outward, *up) >= agreement,
+                     entry_up << " = " << entryText(*up, dimension) << ", but the free surface "
+                              << names << " faces " << entryText(*outward, dimension) << ", "
+                              << degreesBetween(*outward, *up)
+                              << " from it (at most 60 are allowed). Give "
+                              << entryText(snapped(*outward), dimension)
+                              << ", or leave it out: up then follows from the free surface.");
+  }
+  if (outward && down) {
+    auto const against = opposite(*down);
+    ASPERITY_REQUIRE(
+      mesh::dot<3>(*outward, against) >= agreement,
+      entry_down << " = " << entryText(*down, dimension) << ", but the free surface " << names
+                 << " faces " << entryText(*outward, dimension) << ", "
+                 << degreesBetween(*outward, against)
+                 << " from the opposite (at most 60 are allowed): the weight of the rock would act "
+                    "along its surface. Give "
+                 << entryText(opposite(snapped(*outward)), dimension)
+                 << ", or leave it out: gravity then points away from the free surface.");
+  }
+  if (up && down) {
+    ASPERITY_REQUIRE(mesh::dot<3>(*up, opposite(*down)) >= tilt,
+                     entry_down << " = " << entryText(*down, dimension) << ", but " << entry_up
+                                << " = " << entryText(*up, dimension) << " is "
+                                << degreesBetween(*up, opposite(*down))
+                                << " from the opposite of it (at most 30 are allowed). Leave one "
+                                   "of them out: it then follows from the other.");
+  }
+  Upright result;
+  result.is_known = up || outward || down;
+  if (up) {
+    result.up = *up;
+    result.reason = "as Output / Up says";
+  } else if (outward) {
+    result.up = snapped(*outward);
+    result.reason = "where the free surface " + names + " faces";
+  } else {
+    result.up = down ? snapped(opposite(*down)) : result.up;
+    result.reason = down ? "against gravity" : "by default";
+  }
+  result.down = down ? *down : opposite(result.up);
+  return result;
+}
+
+ParameterList& completeDirections(ParameterList& deck, int dimension, Upright const& upright)
+{
+  const auto set = [](ParameterList& list, char const* name, std::vector<double> const& value) {
+    if (isLeftOut(list, name)) {
+      list.setEntry(name, Teuchos::ParameterEntry(Teuchos::Array<double>(value), true));
+    }
+  };
+  auto const& up = upright.up;
+  set(deck.sublist("Output"), "Up", std::vector<double>{up[0], up[1], up[2]});
+  auto& bulk = deck.sublist("Bulk");
+  auto const down = opposite(up);
+  std::vector<double> direction = {down[0], down[1]};
+  const bool acts = bulk.get<double>("Gravitational Acceleration") > 0;
+  if (dimension == 3 && down[2] != 0 && acts) {
+    direction.push_back(down[2]);
+  }
+  // Where gravity does not act, its direction has no effect: that of earlier versions lets their
+  // checkpoints go on.
+  set(bulk, "Gravity Direction", acts ? direction : std::vector<double>{0, -1});
+  return deck;
+}
+} // namespace asperity::scenario

@@ -1,0 +1,105 @@
+#include "fem/BoundaryMeasure.hpp"
+#include "mesh/MeshQuality.hpp"
+#include "mesh/faults/Faults.hpp"
+#include "mesh/faults/SplitFaults.hpp"
+#include "unit/fem/Constrained.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+// The sense of the tangents along several faults in the plane.
+namespace asperity::fem
+{
+using namespace testing;
+
+namespace
+{
+constexpr double off = 1e-9;
+
+// Faults of these names in [0, 3] x [0, 2], along edges of its cells.
+using Segments = std::map<std::string, std::array<Point<2>, 2>>;
+
+GlobalMesh<2> cut(Segments const& faults)
+{
+  auto mesh = uniformRectangle(6, 4, 3, 2);
+  std::vector<mesh::NamedCondition<2>> conditions;
+  for (auto const& [name, ends] : faults) {
+    auto const a = ends[0], b = ends[1];
+    conditions.push_back({name, [a, b](Point<2> const& x) {
+                            return x[0] > a[0] - off && x[0] < b[0] + off &&
+                                   x[1] > std::min(a[1], b[1]) - off &&
+                                   x[1] < std::max(a[1], b[1]) + off;
+                          }});
+  }
+  mesh::addFaults<2>(mesh, conditions);
+  mesh::splitFaults(mesh, "test");
+  return mesh;
+}
+
+// The tangents at the nodes of a fault that slip, in all ranks together, as sums: each component,
+// and their number.
+std::array<double, 3> tangentsOf(Segments const& faults, std::string const& wanted)
+{
+  auto const whole = cut(faults);
+  std::vector<std::string> names;
+  for (auto const& fault : faults) {
+    names.push_back(fault.first);
+  }
+  std::vector<Condition> conditions;
+  for (auto const& name : names) {
+    conditions.push_back({"Fault", name, ContactAcrossFault{names}});
+  }
+  const Constrained<2> body(whole, conditions);
+  std::set<int> tips;
+  for (auto const& split : body.mesh.splits) {
+    if (split.is_tip) {
+      tips.insert(split.plus);
+    }
+  }
+  std::array<double, 3> sums{};
+  for (auto const& at : boundaryMeasure(body.mesh, wanted, *worldCommunicator())) {
+    const auto num_faults = std::count_if(names.begin(), names.end(), [&](std::string const& name) {
+      auto const vertices = mesh::boundaryVertices(body.mesh, name);
+      return std::binary_search(vertices.begin(), vertices.end(), at.node);
+    });
+    if (tips.count(at.node) == 0 && num_faults == 1) { // a bend has the normal of both
+      auto const component =
+        tangentialComponents(body.constraints.frames(), at.node, at.normal).front();
+      sums[0] += body.row(at.node, component)[0];
+      sums[1] += body.row(at.node, component)[1];
+      sums[2] += 1;
+    }
+  }
+  return asperity::sumOverRanks(sums, *worldCommunicator());
+}
+
+const std::array<Point<2>, 2> upright = {Point<2>{1, 0.5}, Point<2>{1, 1.5}};
+} // namespace
+
+TEST(FaultTurns, DoNotDependOnAFaultElsewhere)
+{
+  auto const alone = tangentsOf({{"upright", upright}}, "upright");
+  EXPECT_GT(alone[2], 0);
+  EXPECT_NEAR(alone[1], alone[2], 1e-12) << "+y";
+  auto const beside =
+    tangentsOf({{"upright", upright}, {"level", {Point<2>{1.5, 1}, Point<2>{3, 1}}}}, "upright");
+  EXPECT_EQ(beside, alone);
+  auto const level =
+    tangentsOf({{"upright", upright}, {"level", {Point<2>{1.5, 1}, Point<2>{3, 1}}}}, "level");
+  EXPECT_NEAR(level[0], level[2], 1e-12) << "+x";
+}
+
+// A fault that bends downwards under another name goes on in the same sense.
+TEST(FaultTurns, GoOnWhereAnotherFaultContinues)
+{
+  const Segments bent = {{"level", {Point<2>{0.5, 1.5}, Point<2>{2, 1.5}}},
+                         {"down", {Point<2>{2, 0.5}, Point<2>{2, 1.5}}}};
+  auto const level = tangentsOf(bent, "level"), down = tangentsOf(bent, "down");
+  EXPECT_GT(level[0], 0);
+  EXPECT_LT(down[1], 0);
+  EXPECT_GT(tangentsOf({{"down", bent.at("down")}, {"other", upright}}, "down")[1], 0) << "alone";
+}
+} // namespace asperity::fem

@@ -1,0 +1,136 @@
+#include "scenario/setup/Upright.hpp"
+#include "SampleDeck.hpp"
+#include "scenario/Problem.hpp"
+
+#include <gtest/gtest.h>
+
+// Where up is, by the deck and by the free surface.
+namespace asperity::scenario
+{
+using namespace test;
+
+namespace
+{
+using Direction = std::array<double, 3>;
+
+ParameterList deckWith(std::vector<double> const& up, std::vector<double> const& down,
+                       double acceleration = 10)
+{
+  return completeDeck([&](ParameterList& deck) {
+    deck.sublist("Bulk").set("Gravitational Acceleration", acceleration);
+    if (!up.empty()) {
+      deck.sublist("Output").set("Up", array(up));
+    }
+    if (!down.empty()) {
+      deck.sublist("Bulk").set("Gravity Direction", array(down));
+    }
+  });
+}
+
+FreeSurface facing(Direction const& normal) { return {{"top"}, {normal, 1}}; }
+
+Upright inSpace(FreeSurface const& surface, std::vector<double> const& up = {},
+                std::vector<double> const& down = {})
+{
+  return uprightOf(deckWith(up, down), 3, surface);
+}
+} // namespace
+
+TEST(Upright, FollowsFromTheFreeSurface)
+{
+  EXPECT_EQ(inSpace(facing({0, 0, 1})).up, (Direction{0, 0, 1}));
+  EXPECT_EQ(inSpace(facing({0, 0, 1})).down, (Direction{0, 0, -1}));
+  EXPECT_EQ(inSpace(facing({-1, 0, 0})).up, (Direction{-1, 0, 0}));
+  EXPECT_EQ(inSpace(facing({-0.28, 0.96, 0})).up, (Direction{0, 1, 0})) << "a slope";
+  EXPECT_EQ(inSpace(facing({0.6, 0, 0.8})).up, (Direction{0, 0, 1}));
+  const Direction tilted = {0.64, 0.48, 0.6};
+  EXPECT_EQ(inSpace(facing(tilted)).up, tilted) << "nearest to no axis";
+}
+
+TEST(Upright, IsYWithoutASurfaceThatFacesSomewhere)
+{
+  for (auto const& surface : {FreeSurface{}, FreeSurface{{"all around"}, {{1e-9, 0, 0.01}, 6}}}) {
+    auto const found = inSpace(surface);
+    EXPECT_EQ(found.up, (Direction{0, 1, 0}));
+    EXPECT_EQ(found.down, (Direction{0, -1, 0}));
+    EXPECT_FALSE(found.is_known);
+  }
+  auto const found = inSpace({}, {}, {0.1, 0, -2});
+  EXPECT_EQ(found.up, (Direction{0, 0, 1})) << "against gravity";
+  EXPECT_NEAR(found.down[0], 0.1 / std::hypot(0.1, 2), 1e-15);
+}
+
+TEST(Upright, IsThatOfTheDeck)
+{
+  auto const found = inSpace(facing({0, 0, 1}), {0, 0.6, 0.8}, {0.27, 0, -1});
+  EXPECT_NEAR(found.up[1], 0.6, 1e-15);
+  EXPECT_NEAR(found.down[0] / found.down[2], -0.27, 1e-15);
+}
+
+TEST(Upright, RefusesContradictions)
+{
+  expectRefusal(
+    [] {
+      inSpace(facing({0, 0, 1}), {0, 1, 0});
+    },
+    {"Asperity / Output / Up = {0, 1, 0}", "'top' faces {0, 0, 1}", "90 degrees",
+     "Give {0, 0, 1}"});
+  expectRefusal(
+    [] {
+      inSpace(facing({0, 0, 1}), {}, {0, -1});
+    },
+    {"Asperity / Bulk / Gravity Direction = {0, -1, 0}", "'top' faces {0, 0, 1}",
+     "Give {0, 0, -1}"});
+  expectRefusal(
+    [] {
+      inSpace({}, {0, 0, 1}, {0, -1});
+    },
+    {"Gravity Direction", "Output / Up = {0, 0, 1}", "90 degrees"});
+  // Gravity that does not act contradicts nothing.
+  EXPECT_EQ(uprightOf(deckWith({}, {0, -1}, 0), 3, facing({0, 0, 1})).up, (Direction{0, 0, 1}));
+  // In a plane there is no Up.
+  EXPECT_EQ(uprightOf(deckWith({0, 0, 1}, {}), 2, facing({0, 1, 0})).up, (Direction{0, 1, 0}));
+}
+
+// Whoever reads the deck of a run finds the directions, and a deck that gives them keeps them.
+TEST(Upright, CompletesTheDeck)
+{
+  auto deck = deckWith({}, {});
+  completeDirections(deck, 3, inSpace(facing({0, 0, 1})));
+  EXPECT_EQ(deck.sublist("Output").get<Teuchos::Array<double>>("Up"), array<double>({0, 0, 1}));
+  EXPECT_EQ(deck.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
+            array<double>({0, 0, -1}));
+  auto plane = deckWith({}, {});
+  completeDirections(plane, 2, uprightOf(plane, 2, facing({0, 1, 0})));
+  EXPECT_EQ(plane.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
+            array<double>({0, -1}));
+  auto given = deckWith({}, {0.27, -1});
+  completeDirections(given, 2, uprightOf(given, 2, {}));
+  EXPECT_EQ(given.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
+            array<double>({0.27, -1}));
+  auto weightless = deckWith({}, {}, 0);
+  completeDirections(weightless, 3, uprightOf(weightless, 3, facing({0, 0, 1})));
+  EXPECT_EQ(weightless.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
+            array<double>({0, -1}))
+    << "as in checkpoints of earlier versions";
+}
+
+// The column of SampleDeck lies on its side: its free surface faces +x, and it presses on its left
+// side.
+TEST(Upright, LetsRockPressAgainstItsFoundation)
+{
+  auto const problem = makeProblem<2>(
+    completeDeck([](ParameterList& deck) {
+      auto& conditions = deck.sublist("Boundary Conditions");
+      conditions.sublist("Fault").set("Boundary", "left");
+      conditions.sublist("Left").set("Boundary", "bottom");
+      conditions.sublist("Top").set("Boundary", "top").set("Type", "Sliding Wall");
+      conditions.sublist("Surface").set("Boundary", "right").set("Type", "Free Surface");
+    }),
+    world());
+  for (const double sigma_n : valuesOf(problem.initial.sigma_n)) {
+    EXPECT_NEAR(sigma_n, 1000. * 10 * 2, 1e-6) << "density, acceleration, height";
+  }
+  EXPECT_EQ(problem.upright.up, (Direction{1, 0, 0}));
+}
+} // namespace asperity::scenario
