@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace asperity::scenario
 {
@@ -239,7 +240,7 @@ MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::st
   auto const& output = deck.sublist("Output");
   if (output.isParameter("East")) {
     auto const east = output.get<Teuchos::Array<double>>("East");
-    std::copy_n(east.begin(), std::min<int>(3, east.size()), fault.sides.east.begin());
+    std::copy_n(east.begin(), std::min<std::ptrdiff_t>(3, east.size()), fault.sides.east.begin());
   }
   return fault;
 }
@@ -251,7 +252,7 @@ std::string ofPositiveTraction(FaultSides const& sides, ParameterList const& fri
   }
   auto const given = friction.get<Teuchos::Array<double>>("Slip Direction");
   Vector3 direction{};
-  std::copy_n(given.begin(), std::min<int>(3, given.size()), direction.begin());
+  std::copy_n(given.begin(), std::min<std::ptrdiff_t>(3, given.size()), direction.begin());
   auto const rake = rakeInWords(sides, direction);
   return rake.empty() ? "" : "; a positive Shear Traction has " + rake;
 }

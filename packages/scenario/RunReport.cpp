@@ -9,8 +9,8 @@
 #include "scenario/SizeCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/Upright.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-char const* const field_name = "regularised_normal_stress";
+char const* const regularised_stress = "regularised_normal_stress";
 
 // s at the end of a step: with x = k tau, k = V / L_pc + 1 / T_pc, sigma from sigma0 to sigma1,
 //   s1 = sigma1 + (s0 - sigma0) e^-x - (sigma1 - sigma0) (1 - e^-x) / x,
@@ -50,7 +50,7 @@ public:
 
   ConstNodeView effective(State const& state) const { return under(processes_, state).sigma_n; }
 
-  NodeView const& of(State const& state) const override { return state.at(field_name); }
+  NodeView const& of(State const& state) const override { return state.at(regularised_stress); }
   void begin(StepStart const& start) override
   {
     before_ = effective(start.from);
@@ -103,18 +103,19 @@ public:
     auto const sigma = unknown_->effective(start);
     const NodeView s("asperity::dynamics::regularisedStress", sigma.extent(0));
     Kokkos::deep_copy(s, sigma);
-    return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "normal stress that friction takes",
-                                                   "Pa", is_guessed, counts_from_start}),
+    return {{std::make_shared<FieldInfo>(FieldInfo{regularised_stress,
+                                                   "normal stress that friction takes", "Pa",
+                                                   is_guessed, counts_from_start}),
              s}};
   }
   std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
   void begin(State const&, double, double, State const& to) const override
   {
-    unknown_->limit(to.at(field_name));
+    unknown_->limit(to.at(regularised_stress));
   }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
-    Kokkos::deep_copy(sigma_n, state.at(field_name));
+    Kokkos::deep_copy(sigma_n, state.at(regularised_stress));
   }
 
 private:

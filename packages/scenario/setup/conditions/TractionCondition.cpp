@@ -5,6 +5,9 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -96,15 +99,14 @@ void declareTraction(Declare& declare)
 
 ConditionType tractionType()
 {
-  ConditionType type{
-    "Prescribed Traction",
-    "this traction acts on the boundary, which moves freely; its motion is written as that "
-    "of the surface if there is no Free Surface.",
-    {component_names.begin(), component_names.end()},
-    ConditionPlace::elsewhere,
-    DecidesOn::traction,
-    {prescribedTraction<2>, prescribedTraction<3>}};
-  type.reads.emplace_back(pressure_name);
-  return type;
+  std::vector<std::string> reads = {pressure_name};
+  reads.insert(reads.end(), component_names.begin(), component_names.end());
+  return {"Prescribed Traction",
+          "this traction acts on the boundary, which moves freely; its motion is written as that "
+          "of the surface if there is no Free Surface.",
+          std::move(reads),
+          ConditionPlace::elsewhere,
+          DecidesOn::traction,
+          {prescribedTraction<2>, prescribedTraction<3>}};
 }
 } // namespace asperity::scenario
