@@ -14,7 +14,7 @@ namespace asperity::catalogue
 namespace
 {
 // As a share of the size of a cell: coordinates on an inclined fault are rounded.
-constexpr double on_fault = 1e-6;
+constexpr double rounding_share = 1e-6;
 constexpr double off_fault = 1e-3; // far enough to tell the sides apart
 
 // (num_owned) of a domain: 1 at nodes whose vertex is in the set.
@@ -72,7 +72,7 @@ std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
   double cell = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     auto const& point = on_fault[i];
-    if (point.distance > on_fault * point.element_size || !(apart[i] > 0)) {
+    if (point.distance > rounding_share * point.element_size || !(apart[i] > 0)) {
       continue;
     }
     cell = found.empty() ? point.element_size : std::min(cell, point.element_size);
