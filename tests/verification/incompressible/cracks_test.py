@@ -106,9 +106,12 @@ class Cracks(unittest.TestCase):
         self.assertIn(WARNING, printed)
         self.assertNotIn(WARNING, share(0.39, False, alone)[1])
 
-    def test_several_ranks_are_refused(self):
+    def test_on_several_ranks_cells_do_not_share_and_the_program_says_so(self):
+        found, printed = share(0.39, False, ranks=2)
+        self.assertIn(WARNING, printed)
+        self.assertAlmostEqual(found, share(0.39, False, "Bulk/Volumetric Strain=Cell")[0], 5)
         with self.assertRaisesRegex(AssertionError, "runs on one rank only"):
-            share(0.49, True, ranks=2)
+            share(0.39, False, "Bulk/Volumetric Strain=Patch", ranks=2)
 
 
 if __name__ == "__main__":
