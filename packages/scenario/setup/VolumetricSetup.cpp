@@ -46,8 +46,8 @@ std::vector<double> ownModuli(std::string const& choice, Rock const& rock)
   return moduli;
 }
 
-// With patches across ranks rate problems do not converge, though the matrices are right: Auto takes
-// cells there.
+// With patches across ranks rate problems do not converge, though the matrices are right. So Auto
+// takes cells there.
 std::string choiceOf(ParameterList const& bulk, Communicator const& communicator)
 {
   auto const choice = bulk.get<std::string>(volumetric_strain);

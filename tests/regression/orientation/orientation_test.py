@@ -168,7 +168,8 @@ class Tension(unittest.TestCase):
                 series = asperity_run.series(folder / "receivers.h5")
                 stress = series["off_fault/fields/stress"][-1, 0, 2]  # yy
                 log = (folder / "run.log").read_text(encoding="utf-8")
-                found = re.search("WARNING: In this run the body pulls at ([0-9.]+) % of the fault, "
+                found = re.search("WARNING: In this run the body pulls at "
+                                  "([0-9.]+) % of the fault, "
                                   "most with ([0-9.e+]+) Pa", log)
                 self.assertIsNotNone(found, log)
                 self.assertEqual(float(found[1]), 100)
