@@ -103,9 +103,12 @@ void chooseLawsOf(ParameterList& deck)
   if (deck.isParameter("Friction") && !deck.isSublist("Friction")) {
     return; // an error that is told later
   }
-  auto const* conditions =
-    deck.isSublist("Boundary Conditions") ? &deck.sublist("Boundary Conditions") : nullptr;
-  chooseLaws(deck.sublist("Friction"), conditions != nullptr && haveFriction(*conditions));
+  const bool is_wanted =
+    deck.isSublist("Boundary Conditions") && haveFriction(deck.sublist("Boundary Conditions"));
+  if (is_wanted && !deck.isParameter("Friction")) {
+    return; // so is this
+  }
+  chooseLaws(deck.sublist("Friction"), is_wanted);
 }
 } // namespace
 

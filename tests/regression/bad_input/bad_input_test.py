@@ -150,7 +150,7 @@ class Decks(Case):
             "Friction/a=-0.01", "Asperity / Friction / a = -0.01 is outside (0, inf)")
         self.assert_setting_refused(
             "Bulk/Density=x - 0.5", "Asperity / Bulk / Density", "outside (0, inf)", "(x, y, z)")
-        self.assert_setting_refused("Coupling/Tolerance=0", "Asperity / Coupling / Tolerance = 0")
+        self.assert_setting_refused("Coupling/Tolerance=-1", "Asperity / Coupling / Tolerance = -1")
         self.assert_setting_refused(
             "Friction/Normal Stress=-1", "Asperity / Friction / Normal Stress = -1", "[0, inf)")
         self.assert_setting_refused("Friction/a=-0.01", "Asperity / Friction / a = -0.01", ranks=2)
@@ -437,7 +437,7 @@ class Physics(Case):
         self.assertIn("c_s = 31.6228 m/s", result.stdout)
         self.assertNotIn("WARNING", result.stdout)
         self.assert_setting_refused("Coupling/Tolerance=10", "Asperity / Coupling / Tolerance",
-                                    "(0, 1)")
+                                    "[0, 1)")
 
     def test_no_fault(self):
         self.assert_setting_refused("Boundary Conditions/Fault/Type=Fixed",
