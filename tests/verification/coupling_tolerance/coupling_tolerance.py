@@ -19,12 +19,12 @@ def run(name, table, *changes):
 
 def onsets(name, *changes):
     """Of the events, in years."""
-    return [float(row["onset [s]"]) / YEAR for row in run(name, "events.csv", *changes)]
+    return [float(row["onset"]) / YEAR for row in run(name, "events.csv", *changes)]
 
 
 def rates(name, *changes):
     """The peak slip rates of all steps, as written."""
-    return [row["peak_slip_rate [m/s]"] for row in run(name, "steps.csv", *changes)]
+    return [row["peak_slip_rate"] for row in run(name, "steps.csv", *changes)]
 
 
 class TwoPatches(unittest.TestCase):
