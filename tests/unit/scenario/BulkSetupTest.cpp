@@ -99,7 +99,7 @@ TEST(BulkSetup, TakesMeansOfADatasetOverTheVerticesOfACell)
     auto const& x = mesh.vertices[vertex];
     values[mesh.global_ids[vertex]] = shear * (1 + 0.1 * x[0] - 0.05 * x[1]);
   }
-  const TemporaryDirectory directory;
+  const asperity::test::TemporaryDirectory directory;
   auto file = h5::File::create(directory.file("rock.h5"));
   file.store("G", values.data(), {values.size()});
   file.close();
