@@ -154,11 +154,6 @@ class Meshes(FaultCase):
         self.write(main=[[6, 9]])
         self.refuse(self.from_file, "mesh.h5", "'main'")
 
-    def test_a_closed_fault(self):
-        """Around the square in the middle: which side would be up?"""
-        self.write(main=[[5, 6], [6, 10], [10, 9], [9, 5]])
-        self.refuse(self.from_file, "fault 'main' cannot be oriented")
-
     def test_faults_that_cross(self):
         self.write(main=[[4, 5], [5, 6], [6, 7]], dyke=[[1, 5], [5, 9], [9, 13]])
         self.refuse({**self.from_file, **condition("Dyke", "dyke", "Two-Sided Fault")},
