@@ -68,12 +68,13 @@ class SenseOfSlip(unittest.TestCase):
                            "Boundary Conditions/Hold/Boundary=bottom",
                            "Boundary Conditions/Hold/Type=Fixed")
         inside = "x > 0.2 && x < 0.8"
-        self.assert_senses([*two_sided(f"abs(x + y - 1) < 1e-6 && {inside}"), *gravity, *WITHOUT_SURFACE],
+        self.assert_senses([*two_sided(f"abs(x + y - 1) < 1e-6 && {inside}"), *gravity,
+                            *WITHOUT_SURFACE],
                            "(0.71, 0.71); positive slip moves it along (0.71, -0.71)",
                            "a normal fault", "a thrust")
         inclined = settings("Bulk/Gravity Direction={0.27, -1}")
         self.assert_senses([*two_sided("abs(y - 0.5) < 1e-6"), *gravity, *inclined,
-                             *WITHOUT_SURFACE],
+                            *WITHOUT_SURFACE],
                            "(0, 1); positive slip moves it along (1, 0)",
                            "a normal fault", "a thrust")
 
