@@ -93,7 +93,7 @@ void declareTraction(Declare& declare)
                   "is left out. A function of x, y, z and t.");
   }
   declare.field(pressure_name, optional, "Pa", Range::any(),
-                "Prescribed Traction: this pressure acts on the boundary, inwards, in addition to "
+                "Prescribed Traction: this is a pressure on the boundary, inwards, in addition to "
                 "the components.");
 }
 
