@@ -107,7 +107,7 @@ TEST(BulkSetup, TakesMeansOfADatasetOverTheVerticesOfACell)
   const auto given = [&](char const* parameter) {
     return makeMaterials(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
                                   [&](ParameterList& list) {
-                                    list.remove(parameter);
+                                    list.remove(parameter, false);
                                     list.set(parameter, name);
                                   }),
                          mesh);

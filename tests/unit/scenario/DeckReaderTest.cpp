@@ -81,9 +81,9 @@ using Names = std::vector<std::string>;
 TEST(Registries, HoldWhatThePackagesBring)
 {
   EXPECT_EQ(friction::frictionLaws().names(),
-            (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
+            (Names{"Cut-Off", "None", "Regularised", "Slip Weakening", "Truncated"}));
   EXPECT_EQ(friction::stateLaws().names(),
-            (Names{"Ageing", "Flash Heating", "Foreign Ageing", "Narrow Ageing", "Slip",
+            (Names{"Ageing", "Flash Heating", "Foreign Ageing", "Narrow Ageing", "None", "Slip",
                    "Slip Weakening", "Slow Ageing", "Strong Rate Weakening", "Tabulated"}));
   EXPECT_EQ(dynamics::FaultProcessRegistry::instance().names(),
             (Names{"Forced Rupture", "Pore Pressure", "Thermal Pressurisation"}));

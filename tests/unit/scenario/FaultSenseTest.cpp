@@ -110,8 +110,8 @@ TEST(FaultSense, RakeInWords)
   const FaultSides thrust{{0, -0.6, 0.8}, 3, 3, {0, 0, 1}}; // dips to the south
   EXPECT_EQ(rakeInWords(thrust, {0, 0.8, 0.6}), "rake 90, a thrust");
   EXPECT_EQ(rakeInWords(thrust, {0, -2, 0}), "rake -90, a normal fault") << "its part along it";
-  EXPECT_EQ(rakeInWords(thrust, {1, 0, 0}), "rake 180, right lateral");
-  EXPECT_EQ(rakeInWords(thrust, {-1, 0.8, 0.6}), "rake 45, left lateral and a thrust");
+  EXPECT_EQ(rakeInWords(thrust, {1, 0, 0}), "rake 0, left lateral");
+  EXPECT_EQ(rakeInWords(thrust, {-1, 0.8, 0.6}), "rake 135, right lateral and a thrust");
   EXPECT_EQ(rakeInWords(thrust, {0, -0.6, 0.8}), "") << "across the fault";
   EXPECT_EQ(rakeInWords({{0, 0, 1}, 3, 3, {0, 0, 1}}, {1, 0, 0}), "") << "level";
   EXPECT_EQ(rakeInWords({{1, 0, 0}, 3, 3, {0, 0, 1}}, {0, 0, -1}), "rake -90, the plus side down");

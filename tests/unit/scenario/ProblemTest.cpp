@@ -88,8 +88,11 @@ TEST(Problem, SetsATensileReactionToZeroAndSaysSo)
                    }),
                    world());
   EXPECT_EQ(force(problem), 0);
-  ASSERT_EQ(problem.remarks.size(), 2U);
-  expectParts(problem.remarks[0], {"3 fault nodes", "zero"});
+  std::string told;
+  for (auto const& warning : problem.warnings) {
+    told += warning.text;
+  }
+  expectParts(told, {"pulls at 100 % of the fault", "zero"});
 }
 
 TEST(Problem, RefusesToGuessANormalStress)

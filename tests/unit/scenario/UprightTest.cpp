@@ -128,9 +128,10 @@ TEST(Upright, LetsRockPressAgainstItsFoundation)
       conditions.sublist("Surface").set("Boundary", "right").set("Type", "Free Surface");
     }),
     world());
-  for (const double sigma_n : valuesOf(problem.initial.sigma_n)) {
-    EXPECT_NEAR(sigma_n, 1000. * 10 * 2, 1e-6) << "density, acceleration, height";
-  }
+  auto const sigma_n = valuesOf(problem.initial.sigma_n);
+  ASSERT_EQ(sigma_n.size(), 3U);
+  EXPECT_NEAR((sigma_n[0] + 2 * sigma_n[1] + sigma_n[2]) / 4, 1000. * 10 * 2, 1e-6)
+    << "the mean: density, acceleration, height";
   EXPECT_EQ(problem.upright.up, (Direction{1, 0, 0}));
 }
 } // namespace asperity::scenario
