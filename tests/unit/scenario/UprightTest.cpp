@@ -62,8 +62,8 @@ TEST(Upright, IsYWithoutASurfaceThatFacesSomewhere)
 
 TEST(Upright, IsThatOfTheDeck)
 {
-  auto const found = inSpace(facing({0, 0, 1}), {0, 0.6, 0.8}, {0.27, 0, -1});
-  EXPECT_NEAR(found.up[1], 0.6, 1e-15);
+  auto const found = inSpace(facing({0, 0, 1}), {0, 0.28, 0.96}, {0.27, 0, -1});
+  EXPECT_NEAR(found.up[1], 0.28, 1e-15);
   EXPECT_NEAR(found.down[0] / found.down[2], -0.27, 1e-15);
 }
 
@@ -71,19 +71,19 @@ TEST(Upright, RefusesContradictions)
 {
   expectRefusal(
     [] {
-      inSpace(facing({0, 0, 1}), {0, 1, 0});
+      inSpace(facing({0, 0, 1}), {1, 0, 0});
     },
-    {"Asperity / Output / Up = {0, 1, 0}", "'top' faces {0, 0, 1}", "90 degrees",
+    {"Asperity / Output / Up = {1, 0, 0}", "'top' faces {0, 0, 1}", "90 degrees",
      "Give {0, 0, 1}"});
   expectRefusal(
     [] {
-      inSpace(facing({0, 0, 1}), {}, {0, -1});
+      inSpace(facing({0, 0, 1}), {}, {0, -1, 0});
     },
     {"Asperity / Bulk / Gravity Direction = {0, -1, 0}", "'top' faces {0, 0, 1}",
      "Give {0, 0, -1}"});
   expectRefusal(
     [] {
-      inSpace({}, {0, 0, 1}, {0, -1});
+      inSpace({}, {0, 0, 1}, {0, -1, 0});
     },
     {"Gravity Direction", "Output / Up = {0, 0, 1}", "90 degrees"});
   // Gravity that does not act contradicts nothing.
