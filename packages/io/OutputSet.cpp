@@ -51,6 +51,9 @@ ParameterList complete(Teuchos::ParameterList const& given)
 
 std::array<double, 3> upIn(Teuchos::ParameterList const& output)
 {
+  if (!output.isParameter("Up")) {
+    return {0, 1, 0};
+  }
   auto const& up = output.get<Teuchos::Array<double>>("Up");
   ASPERITY_REQUIRE(up.size() == 3 && std::hypot(up[0], up[1], up[2]) > 0,
                    "Asperity / Output / Up has to be three numbers, not all of them zero. For "
@@ -66,7 +69,7 @@ void OutputSet::declare(Teuchos::ParameterList& list)
     auto const& kind = OutputRegistry::instance().at(name);
     parameters.sublist(name, kind.validParameters(), kind.meaning());
   }
-  parameters.realArray("Up", std::vector<double>{0, 1, 0}, "-", Range::any(),
+  parameters.realArray("Up", optional, "-", Range::any(),
                        "This vector points up in three dimensions; strike and dip of the fault "
                        "follow from it. Its length has no effect. If it is left out, up is the "
                        "axis that is nearest to the outward normal of the Free Surface; against "

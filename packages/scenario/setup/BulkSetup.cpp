@@ -71,7 +71,7 @@ RCP<const ParameterList> bulkParameters()
     .field(poisson, optional, "-", Range::open(-1, 0.5), "The material has this Poisson's ratio.")
     .real("Gravitational Acceleration", 0., "m/s^2", Range::atLeast(0),
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")
-    .realArray("Gravity Direction", std::vector<double>{0., -1.}, "-", Range::any(),
+    .realArray("Gravity Direction", optional, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect. If it is left out, gravity points down: "
                "against Output / Up or, without that, against the axis that is nearest to the "

@@ -90,7 +90,7 @@ std::string degreesBetween(Direction const& a, Direction const& b)
 bool isLeftOut(ParameterList const& list, std::string const& name)
 {
   auto const* entry = list.getEntryPtr(name);
-  return entry == nullptr || entry->isDefault();
+  return entry == nullptr || entry->isDefault(); // as completeDirections() writes it
 }
 
 Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface)

@@ -103,9 +103,9 @@ class Up(unittest.TestCase):
 
     def test_contradictions(self):
         for change, message in (
-                ("Bulk/Gravity Direction={0, -1, 0}", "Asperity / Bulk / Gravity Direction = "
+                ("Bulk/Gravity Direction={0, -1}", "Asperity / Bulk / Gravity Direction = "
                  "{0, -1, 0}, but the free surface 'surface' faces {0, 0, 1}"),
-                ("Output/Up={1, 0, 0}", "Asperity / Output / Up = {1, 0, 0}, but the free surface "
+                ("Output/Up={0, 1, 0}", "Asperity / Output / Up = {0, 1, 0}, but the free surface "
                  "'surface' faces {0, 0, 1}")):
             self.assertTrue(asperity_run.refuses(BURIED, change, message))
 

@@ -71,13 +71,13 @@ TEST(Upright, RefusesContradictions)
 {
   expectRefusal(
     [] {
-      inSpace(facing({0, 0, 1}), {1, 0, 0});
+      inSpace(facing({0, 0, 1}), {0, 1, 0}); // what it is without a surface
     },
-    {"Asperity / Output / Up = {1, 0, 0}", "'top' faces {0, 0, 1}", "90 degrees",
+    {"Asperity / Output / Up = {0, 1, 0}", "'top' faces {0, 0, 1}", "90 degrees",
      "Give {0, 0, 1}"});
   expectRefusal(
     [] {
-      inSpace(facing({0, 0, 1}), {}, {0, -1, 0});
+      inSpace(facing({0, 0, 1}), {}, {0, -1});
     },
     {"Asperity / Bulk / Gravity Direction = {0, -1, 0}", "'top' faces {0, 0, 1}",
      "Give {0, 0, -1}"});
