@@ -5,8 +5,8 @@
 #include "base/program/Plugins.hpp"
 #include "base/program/Signals.hpp"
 #include "scenario/DeckReader.hpp"
-#include "scenario/Environment.hpp"
 #include "scenario/Registrations.hpp"
+#include "scenario/report/Environment.hpp"
 #include "scenario/run/Simulation.hpp"
 
 #include <iostream>

@@ -13,7 +13,7 @@
 #include "multigrid/Sweeps.hpp"
 #include "portability/Renamed.hpp"
 #include "scenario/Problem.hpp"
-#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 

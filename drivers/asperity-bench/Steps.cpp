@@ -3,7 +3,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "scenario/run/Evolution.hpp"
-#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>

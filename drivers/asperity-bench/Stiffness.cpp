@@ -4,7 +4,7 @@
 #include "WavesOnPlane.hpp"
 
 #include "base/Errors.hpp"
-#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -10,12 +10,12 @@
 #include "scenario/deck/Names.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
-#include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "dynamics/observables/LockedResponse.hpp"
-#include "fem/FreeMotions.hpp"
+#include "fem/motions/FreeMotions.hpp"
 
 #include <memory>
 #include <optional>

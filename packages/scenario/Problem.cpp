@@ -8,23 +8,24 @@
 #include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/FoundationPressure.hpp"
 #include "dynamics/initial/StaticSolver.hpp"
-#include "fem/BodyPieces.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/FaultMesh.hpp"
-#include "fem/FreeMotions.hpp"
 #include "fem/NodalDamping.hpp"
 #include "fem/PatchedBody.hpp"
-#include "fem/RigidBodyMotions.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/SupportWeights.hpp"
+#include "fem/motions/BodyPieces.hpp"
+#include "fem/motions/FreeMotions.hpp"
+#include "fem/motions/RigidBodyMotions.hpp"
 #include "mesh/Boundaries.hpp"
 #include "mesh/PointText.hpp"
 #include "parameters/ParameterValue.hpp"
+#include "scenario/Discretisation.hpp"
+#include "scenario/StaticStart.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/InitialSetup.hpp"
-#include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/VolumetricSetup.hpp"
@@ -34,6 +35,7 @@
 #include "scenario/setup/friction/FaultLoads.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -44,72 +46,6 @@ namespace asperity::scenario
 {
 namespace
 {
-// The mesh with its unknowns, constraints and rock.
-template <int Dim>
-struct Discretisation
-{
-  BoundaryConditions<Dim> boundary;
-  Mesh<Dim> mesh;
-  std::shared_ptr<const fem::DofMap> dofs;
-  std::shared_ptr<const fem::Constraints<Dim>> constraints;
-  Rock rock;
-  fem::VolumetricPatches patches;
-  std::vector<double> samples; // times at which conditions are compared [s]
-  Upright upright;
-
-  fem::NodalFrames const& frames() const { return constraints->frames(); }
-};
-
-// Throws on all ranks or on none.
-template <int Dim>
-void requireGlobalIds(Mesh<Dim> const& mesh, int components)
-{
-  constexpr auto most = std::numeric_limits<GlobalOrdinal>::max();
-  ASPERITY_REQUIRE(mesh.num_global_vertices < most / components,
-                   "The mesh has " << mesh.num_global_vertices << " vertices with " << components
-                                   << " unknowns each, more than the " << most
-                                   << " that Trilinos, as it was built, can number. Take a coarser "
-                                      "mesh, or a Trilinos with global ids of type long long.");
-}
-
-template <int Dim>
-Discretisation<Dim> discretise(ParameterList const& deck,
-                               RCP<const Communicator> const& communicator)
-{
-  auto const& conditions = deck.sublist("Boundary Conditions");
-  const int components = displacementComponents(deck.sublist("Bulk"), Dim);
-  auto boundary = makeBoundaryConditions<Dim>(conditions, components);
-  ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(deck.sublist("Friction")),
-                   "Asperity / Friction has no effect: Asperity / Boundary Conditions has no "
-                   "condition of Type "
-                     << quotedAlternatives(faultKinds())
-                     << " or 'Prescribed Slip Rate'. Name the boundary that is the fault, or "
-                        "remove the list.");
-  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"),
-                            boundary.faults.empty() ? "" : boundary.faults.front(), communicator);
-  requireGlobalIds(mesh, components);
-  requireBoundaries(conditions, mesh);
-  requireFaults(conditions, mesh, *communicator);
-  requireFreeFault(boundary, mesh, components, *communicator);
-  if (!boundary.surface.empty()) {
-    fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
-  }
-  auto const& bulk = deck.sublist("Bulk");
-  auto rock = makeRock(bulk, mesh, *communicator);
-  auto patches = makePatches(bulk, boundary.faults, mesh, rock, *communicator);
-  auto const dofs =
-    std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
-  const double end = finalTime(deck.sublist("Time Stepping"));
-  const std::vector<double> samples = {0, end / 3, end};
-  auto const constraints =
-    std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
-  auto upright = uprightOf(
-    deck, Dim,
-    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)});
-  return {std::move(boundary), std::move(mesh),    dofs,    constraints,
-          std::move(rock),     std::move(patches), samples, std::move(upright)};
-}
-
 // The viscosity of the body with its absorbing boundaries and the radiation damping of its fault,
 // eta(num fault nodes) [Pa s/m] per slip rate.
 template <int Dim>
@@ -145,114 +81,6 @@ RCP<const Vector> withRadiationOfPlates(RCP<const Vector> const& load,
   auto const result = rcp(new Vector(*load, Teuchos::Copy));
   fem::addRadiationOfPlates(surface, eta, *result);
   return result;
-}
-
-// Without inertia every rigid motion of the body needs something that stops or resists it: a
-// condition, or friction and radiation damping along the fault that is given, unless it is null.
-// `why` says what does not exist otherwise, `cure` what else helps.
-template <int Dim>
-void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& body,
-                         fem::FaultSurface const* resisting_fault, std::string const& why,
-                         std::string const& cure = "")
-{
-  std::vector<int> resisting(body.numOwnedDofs(), 0);
-  for (const int dof : body.held.owned()) {
-    resisting[dof] = 1;
-  }
-  if (resisting_fault != nullptr) {
-    for (auto const& node : *resisting_fault) {
-      for (const int dof : node.dofs) {
-        resisting[dof] = 1;
-      }
-    }
-  }
-  auto const free = fem::freeMotions(of.mesh, of.dofs->components(), *body.near_null_space,
-                                     resisting, of.dofs->communicator());
-  ASPERITY_REQUIRE(
-    free.empty(), "Asperity / Boundary Conditions: nothing stops or resists the body when it moves "
-                    << free.front() << ", and " << why
-                    << " does not exist or is not unique. Add a condition on a boundary that "
-                       "stops this motion: Fixed, Sliding Wall, or Prescribed Velocity in that "
-                       "direction, with a Velocity of 0 if it is to rest"
-                    << cure << ".");
-}
-
-// The displacement at the start, and the pressure of the foundation in it.
-struct StaticStart
-{
-  RCP<Vector> displacement;
-  // (num fault nodes) [Pa]; zero if the deck gives it, or friction does not ask for it
-  std::vector<double> pressure;
-};
-
-template <int Dim>
-StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of,
-                        dynamics::Body const& body, dynamics::RateSolverSettings const& solver,
-                        fem::FaultSurface const& surface, Vector const& load)
-{
-  auto const& friction = deck.sublist("Friction");
-  // Where friction does not ask for the normal stress, it need not follow from the static solution.
-  const bool stress_given =
-    isGiven(friction, "Normal Stress") || !bearsFriction(friction) || surface.numGlobalNodes() == 0;
-  ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
-                   "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
-                   "normal stress of its own. Give it.");
-  ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
-                   "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
-                   "does not follow from the static solution. Give that of the undisturbed state.");
-  const bool follows = followsAtOnce(friction); // Prakash-Clifton also follows pressure and time
-  ASPERITY_REQUIRE(!follows || of.dofs->components() == Dim,
-                   "Asperity / Friction / Normal Stress Change = "
-                     << friction.get<std::string>("Normal Stress Change")
-                     << ", but antiplane motion does not press across the fault. Choose Fixed.");
-  ASPERITY_REQUIRE(!follows || !surface.otherSide().is_mirrored,
-                   "Asperity / Friction / Normal Stress Change = "
-                     << friction.get<std::string>("Normal Stress Change")
-                     << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
-                        "change. Choose Fixed.");
-  const bool start_static = startsStatic(deck.sublist("Initial State"));
-  const bool has_load = load.normInf() > 0;
-  ASPERITY_REQUIRE(stress_given || has_load,
-                   "Asperity / Friction / Normal Stress is missing, and without gravity or a "
-                   "Prescribed Traction it cannot follow from the static solution. Give one of "
-                   "them.");
-  StaticStart start{body.vector(), std::vector<double>(surface.numNodes(), 0.)};
-  if (!has_load || (stress_given && !start_static)) {
-    return start;
-  }
-  requireNoFreeMotion(of, body, nullptr,
-                      "its static displacement, for which the fault slides without friction,",
-                      stress_given ? "; or choose Initial State / Displacement = Zero, if the load "
-                                     "is to set the body in motion"
-                                   : "");
-  auto const u = dynamics::StaticSolver(body, solver).solve(load);
-  if (!stress_given) {
-    auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
-    start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, load, *u);
-  }
-  if (start_static) {
-    start.displacement = u;
-  }
-  return start;
-}
-
-// Throws InputError if rock yields under its stress at the start.
-template <int Dim>
-void requireBearable(Discretisation<Dim> const& of, dynamics::Body const& body, Vector const& u)
-{
-  if (!body.cells) {
-    return;
-  }
-  auto const beyond = body.cells->furthestBeyond(u);
-  onEveryRank(*of.dofs->communicator(), [&] {
-    ASPERITY_REQUIRE(!beyond,
-                     "Asperity / Bulk: at the start the rock at "
-                       << mesh::text(fem::simplexOf(of.mesh, beyond->cell).centroid)
-                       << " bears a shear stress of " << beyond->shear_stress
-                       << " Pa, but it yields at " << beyond->kept
-                       << " Pa (sqrt(s : s / 2) of the deviatoric stress s). Check the strength of "
-                          "the rock, Initial Stress and gravity.");
-  });
 }
 
 dynamics::Extremes extremesOf(std::vector<double> const& values, Communicator const& communicator)

@@ -9,7 +9,7 @@
 #include "dynamics/control/NotFinite.hpp"
 #include "io/OutputSet.hpp"
 #include "mesh/PointText.hpp"
-#include "scenario/ResolutionCheck.hpp"
+#include "scenario/report/ResolutionCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"

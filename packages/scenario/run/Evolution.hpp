@@ -12,7 +12,7 @@
 #include "scenario/OutputFields.hpp"
 #include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
-#include "scenario/RunReport.hpp"
+#include "scenario/report/RunReport.hpp"
 #include "scenario/run/FrontWatch.hpp"
 #include "scenario/run/PressureWatch.hpp"
 #include "scenario/run/SkippedTimes.hpp"

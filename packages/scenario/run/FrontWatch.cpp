@@ -2,7 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "scenario/ResolutionCheck.hpp"
+#include "scenario/report/ResolutionCheck.hpp"
 
 #include <limits>
 #include <utility>

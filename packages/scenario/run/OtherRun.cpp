@@ -9,13 +9,13 @@
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/OutputFields.hpp"
-#include "scenario/ResolutionCheck.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
+#include "scenario/report/ResolutionCheck.hpp"
 #include "scenario/run/Checkpoints.hpp"
-#include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <algorithm>
 #include <map>

@@ -17,13 +17,13 @@
 #include "scenario/Fingerprint.hpp"
 #include "scenario/LockedFields.hpp"
 #include "scenario/OutputFields.hpp"
-#include "scenario/RunReport.hpp"
+#include "scenario/report/RunReport.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
 #include "scenario/run/OtherRun.hpp"
-#include "scenario/setup/MeshSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 namespace asperity::scenario
 {

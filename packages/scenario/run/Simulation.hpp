@@ -2,8 +2,8 @@
 
 #include "base/Types.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/RunReport.hpp"
 #include "scenario/deck/CommandLine.hpp"
+#include "scenario/report/RunReport.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -2,13 +2,9 @@
 
 #include "fem/OtherSide.hpp"
 #include "fem/bulk/Material.hpp"
-#include "fem/bulk/MaxwellBranch.hpp"
-#include "fem/inelastic/InelasticCells.hpp"
-#include "mesh/Mesh.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace asperity::scenario
@@ -30,24 +26,6 @@ bool quasiDynamic(ParameterList const& list);
 std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,
                                      fem::OtherSide const& other_side,
                                      std::vector<fem::Material> const& at_nodes);
-
-// The rock of a body, from fields evaluated at the centroids of cells.
-struct Rock
-{
-  std::vector<fem::Material> materials; // (num_cells)
-  std::vector<fem::MaxwellBranch> branches;
-  std::optional<fem::YieldingRock> yielding; // on all ranks or on none
-};
-
-// Throws InputError unless all cells together have few relaxation times. Collective.
-template <int Dim>
-Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator);
-
-// Density and elastic moduli of the rock at places in cells of the mesh (num_places).
-template <int Dim>
-std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> const& mesh,
-                                         std::vector<int> const& cells,
-                                         std::vector<std::array<double, 3>> const& places);
 
 // The gravitational acceleration along the axes [m/s^2]; zero without gravity. down: its direction
 // if the list gives none.

@@ -3,7 +3,7 @@
 #include "base/Warning.hpp"
 #include "fem/VolumetricPatches.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/RockSetup.hpp"
 
 #include <string>
 #include <vector>

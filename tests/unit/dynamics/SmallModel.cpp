@@ -1,8 +1,8 @@
 #include "unit/dynamics/SmallModel.hpp"
 
 #include "dynamics/processes/RegularisedStress.hpp"
-#include "fem/RigidBodyMotions.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
+#include "fem/motions/RigidBodyMotions.hpp"
 #include "fem/stress/CellStress.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"

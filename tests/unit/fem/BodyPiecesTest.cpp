@@ -1,4 +1,4 @@
-#include "fem/BodyPieces.hpp"
+#include "fem/motions/BodyPieces.hpp"
 
 #include "SampleMeshes.hpp"
 

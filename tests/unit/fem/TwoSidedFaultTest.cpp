@@ -2,7 +2,7 @@
 #include "fem/BoundaryCells.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/NodalDamping.hpp"
-#include "fem/RigidBodyMotions.hpp"
+#include "fem/motions/RigidBodyMotions.hpp"
 #include "mesh/faults/Faults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "unit/fem/Constrained.hpp"

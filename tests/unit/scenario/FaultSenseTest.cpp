@@ -1,4 +1,4 @@
-#include "scenario/FaultSense.hpp"
+#include "scenario/report/FaultSense.hpp"
 
 #include "SampleDeck.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include "SampleDeck.hpp"
 #include "mesh/MeshQuality.hpp"

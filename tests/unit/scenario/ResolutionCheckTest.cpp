@@ -1,7 +1,7 @@
-#include "scenario/ResolutionCheck.hpp"
+#include "scenario/report/ResolutionCheck.hpp"
 
 #include "SampleDeck.hpp"
-#include "scenario/RunReport.hpp"
+#include "scenario/report/RunReport.hpp"
 
 #include <algorithm>
 #include <limits>

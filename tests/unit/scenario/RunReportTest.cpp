@@ -1,4 +1,4 @@
-#include "scenario/RunReport.hpp"
+#include "scenario/report/RunReport.hpp"
 
 #include "SampleDeck.hpp"
 

@@ -1,8 +1,8 @@
 // Warnings about bodies whose size does not fit their waves, steps and friction.
-#include "scenario/SizeCheck.hpp"
+#include "scenario/report/SizeCheck.hpp"
 
 #include "SampleDeck.hpp"
-#include "scenario/RunReport.hpp"
+#include "scenario/report/RunReport.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scenario/SizeCheck.hpp"
+#include "scenario/report/SizeCheck.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

@@ -1,4 +1,4 @@
-#include "scenario/FaultSense.hpp"
+#include "scenario/report/FaultSense.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

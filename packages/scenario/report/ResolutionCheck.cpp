@@ -1,4 +1,4 @@
-#include "scenario/ResolutionCheck.hpp"
+#include "scenario/report/ResolutionCheck.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,4 +1,4 @@
-#include "fem/BodyPieces.hpp"
+#include "fem/motions/BodyPieces.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"

@@ -1,8 +1,8 @@
-#include "fem/FreeMotions.hpp"
+#include "fem/motions/FreeMotions.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "fem/BodyPieces.hpp"
+#include "fem/motions/BodyPieces.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 #include <Tpetra_MultiVector.hpp>

@@ -1,4 +1,4 @@
-#include "fem/RigidBodyMotions.hpp"
+#include "fem/motions/RigidBodyMotions.hpp"
 
 #include "base/parallel/Reductions.hpp"
 

@@ -1,4 +1,4 @@
-#include "scenario/setup/MeshSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
@@ -13,8 +13,8 @@
 #include "parameters/fields/Field.hpp"
 #include "refinement/UniformRefinement.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/GeneratedMesh.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/mesh/GeneratedMesh.hpp"
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 
 #include "dynamics/checks/FaultResolution.hpp"
 #include "scenario/Problem.hpp"
-#include "scenario/RunReport.hpp"
+#include "scenario/report/RunReport.hpp"
 
 #include <string>
 #include <vector>

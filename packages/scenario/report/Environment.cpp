@@ -1,4 +1,4 @@
-#include "scenario/Environment.hpp"
+#include "scenario/report/Environment.hpp"
 
 #include "portability/Backend.hpp"
 

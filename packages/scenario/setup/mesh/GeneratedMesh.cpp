@@ -1,4 +1,4 @@
-#include "scenario/setup/GeneratedMesh.hpp"
+#include "scenario/setup/mesh/GeneratedMesh.hpp"
 
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/BoxMesh.hpp"

@@ -1,0 +1,76 @@
+#include "scenario/Discretisation.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "fem/BoundaryMeasure.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/VolumetricSetup.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
+#include "scenario/setup/conditions/FreeFault.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace asperity::scenario
+{
+namespace
+{
+// Throws on all ranks or on none.
+template <int Dim>
+void requireGlobalIds(Mesh<Dim> const& mesh, int components)
+{
+  constexpr auto most = std::numeric_limits<GlobalOrdinal>::max();
+  ASPERITY_REQUIRE(mesh.num_global_vertices < most / components,
+                   "The mesh has " << mesh.num_global_vertices << " vertices with " << components
+                                   << " unknowns each, more than the " << most
+                                   << " that Trilinos, as it was built, can number. Take a coarser "
+                                      "mesh, or a Trilinos with global ids of type long long.");
+}
+
+} // namespace
+
+template <int Dim>
+Discretisation<Dim> discretise(ParameterList const& deck,
+                               RCP<const Communicator> const& communicator)
+{
+  auto const& conditions = deck.sublist("Boundary Conditions");
+  const int components = displacementComponents(deck.sublist("Bulk"), Dim);
+  auto boundary = makeBoundaryConditions<Dim>(conditions, components);
+  ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(deck.sublist("Friction")),
+                   "Asperity / Friction has no effect: Asperity / Boundary Conditions has no "
+                   "condition of Type "
+                     << quotedAlternatives(faultKinds())
+                     << " or 'Prescribed Slip Rate'. Name the boundary that is the fault, or "
+                        "remove the list.");
+  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"),
+                            boundary.faults.empty() ? "" : boundary.faults.front(), communicator);
+  requireGlobalIds(mesh, components);
+  requireBoundaries(conditions, mesh);
+  requireFaults(conditions, mesh, *communicator);
+  requireFreeFault(boundary, mesh, components, *communicator);
+  if (!boundary.surface.empty()) {
+    fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
+  }
+  auto const& bulk = deck.sublist("Bulk");
+  auto rock = makeRock(bulk, mesh, *communicator);
+  auto patches = makePatches(bulk, boundary.faults, mesh, rock, *communicator);
+  auto const dofs =
+    std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
+  const double end = finalTime(deck.sublist("Time Stepping"));
+  const std::vector<double> samples = {0, end / 3, end};
+  auto const constraints =
+    std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
+  auto upright = uprightOf(
+    deck, Dim,
+    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)});
+  return {std::move(boundary), std::move(mesh),    dofs,    constraints,
+          std::move(rock),     std::move(patches), samples, std::move(upright)};
+}
+
+template Discretisation<2> discretise(ParameterList const&, RCP<const Communicator> const&);
+template Discretisation<3> discretise(ParameterList const&, RCP<const Communicator> const&);
+} // namespace asperity::scenario

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "fem/VolumetricPatches.hpp"
+#include "fem/constraints/Constraints.hpp"
+#include "fem/dofs/DofMap.hpp"
+#include "mesh/Mesh.hpp"
+#include "scenario/setup/RockSetup.hpp"
+#include "scenario/setup/Upright.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace asperity::scenario
+{
+// The mesh with its unknowns, constraints and rock.
+template <int Dim>
+struct Discretisation
+{
+  BoundaryConditions<Dim> boundary;
+  Mesh<Dim> mesh;
+  std::shared_ptr<const fem::DofMap> dofs;
+  std::shared_ptr<const fem::Constraints<Dim>> constraints;
+  Rock rock;
+  fem::VolumetricPatches patches;
+  std::vector<double> samples; // times at which conditions are compared [s]
+  Upright upright;
+
+  fem::NodalFrames const& frames() const { return constraints->frames(); }
+};
+
+// Reads mesh, boundary conditions and rock of a deck. Throws InputError on all ranks where they
+// contradict each other. Collective.
+template <int Dim>
+Discretisation<Dim> discretise(ParameterList const& deck,
+                               RCP<const Communicator> const& communicator);
+} // namespace asperity::scenario

@@ -1,0 +1,128 @@
+#include "scenario/StaticStart.hpp"
+
+#include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "dynamics/initial/FoundationPressure.hpp"
+#include "dynamics/initial/StaticSolver.hpp"
+#include "fem/Simplex.hpp"
+#include "fem/SupportWeights.hpp"
+#include "fem/motions/FreeMotions.hpp"
+#include "mesh/PointText.hpp"
+#include "parameters/ParameterValue.hpp"
+#include "scenario/setup/InitialSetup.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
+
+#include <Tpetra_Vector.hpp>
+
+namespace asperity::scenario
+{
+template <int Dim>
+void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& body,
+                         fem::FaultSurface const* resisting_fault, std::string const& why,
+                         std::string const& cure)
+{
+  std::vector<int> resisting(body.numOwnedDofs(), 0);
+  for (const int dof : body.held.owned()) {
+    resisting[dof] = 1;
+  }
+  if (resisting_fault != nullptr) {
+    for (auto const& node : *resisting_fault) {
+      for (const int dof : node.dofs) {
+        resisting[dof] = 1;
+      }
+    }
+  }
+  auto const free = fem::freeMotions(of.mesh, of.dofs->components(), *body.near_null_space,
+                                     resisting, of.dofs->communicator());
+  ASPERITY_REQUIRE(
+    free.empty(), "Asperity / Boundary Conditions: nothing stops or resists the body when it moves "
+                    << free.front() << ", and " << why
+                    << " does not exist or is not unique. Add a condition on a boundary that "
+                       "stops this motion: Fixed, Sliding Wall, or Prescribed Velocity in that "
+                       "direction, with a Velocity of 0 if it is to rest"
+                    << cure << ".");
+}
+
+template <int Dim>
+StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of,
+                        dynamics::Body const& body, dynamics::RateSolverSettings const& solver,
+                        fem::FaultSurface const& surface, Vector const& load)
+{
+  auto const& friction = deck.sublist("Friction");
+  // Where friction does not ask for the normal stress, it need not follow from the static solution.
+  const bool stress_given =
+    isGiven(friction, "Normal Stress") || !bearsFriction(friction) || surface.numGlobalNodes() == 0;
+  ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
+                   "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
+                   "normal stress of its own. Give it.");
+  ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
+                   "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
+                   "does not follow from the static solution. Give that of the undisturbed state.");
+  const bool follows = followsAtOnce(friction); // Prakash-Clifton also follows pressure and time
+  ASPERITY_REQUIRE(!follows || of.dofs->components() == Dim,
+                   "Asperity / Friction / Normal Stress Change = "
+                     << friction.get<std::string>("Normal Stress Change")
+                     << ", but antiplane motion does not press across the fault. Choose Fixed.");
+  ASPERITY_REQUIRE(!follows || !surface.otherSide().is_mirrored,
+                   "Asperity / Friction / Normal Stress Change = "
+                     << friction.get<std::string>("Normal Stress Change")
+                     << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
+                        "change. Choose Fixed.");
+  const bool start_static = startsStatic(deck.sublist("Initial State"));
+  const bool has_load = load.normInf() > 0;
+  ASPERITY_REQUIRE(stress_given || has_load,
+                   "Asperity / Friction / Normal Stress is missing, and without gravity or a "
+                   "Prescribed Traction it cannot follow from the static solution. Give one of "
+                   "them.");
+  StaticStart start{body.vector(), std::vector<double>(surface.numNodes(), 0.)};
+  if (!has_load || (stress_given && !start_static)) {
+    return start;
+  }
+  requireNoFreeMotion(of, body, nullptr,
+                      "its static displacement, for which the fault slides without friction,",
+                      stress_given ? "; or choose Initial State / Displacement = Zero, if the load "
+                                     "is to set the body in motion"
+                                   : "");
+  auto const u = dynamics::StaticSolver(body, solver).solve(load);
+  if (!stress_given) {
+    auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
+    start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, load, *u);
+  }
+  if (start_static) {
+    start.displacement = u;
+  }
+  return start;
+}
+
+template <int Dim>
+void requireBearable(Discretisation<Dim> const& of, dynamics::Body const& body, Vector const& u)
+{
+  if (!body.cells) {
+    return;
+  }
+  auto const beyond = body.cells->furthestBeyond(u);
+  onEveryRank(*of.dofs->communicator(), [&] {
+    ASPERITY_REQUIRE(!beyond,
+                     "Asperity / Bulk: at the start the rock at "
+                       << mesh::text(fem::simplexOf(of.mesh, beyond->cell).centroid)
+                       << " bears a shear stress of " << beyond->shear_stress
+                       << " Pa, but it yields at " << beyond->kept
+                       << " Pa (sqrt(s : s / 2) of the deviatoric stress s). Check the strength of "
+                          "the rock, Initial Stress and gravity.");
+  });
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template void requireNoFreeMotion(Discretisation<Dim> const&, dynamics::Body const&,             \
+                                    fem::FaultSurface const*, std::string const&,                  \
+                                    std::string const&);                                           \
+  template StaticStart staticStart(ParameterList const&, Discretisation<Dim> const&,               \
+                                   dynamics::Body const&, dynamics::RateSolverSettings const&,     \
+                                   fem::FaultSurface const&, Vector const&);                       \
+  template void requireBearable(Discretisation<Dim> const&, dynamics::Body const&, Vector const&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::scenario
