@@ -4,6 +4,7 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/parallel/CellGroups.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>

@@ -34,8 +34,8 @@ std::string messageOfOutOfRange(Call const& call)
 TEST(Registry, HoldsTheLawsOfThisPackage)
 {
   EXPECT_EQ(frictionLaws().names(),
-            (Names{"Cut-Off", "Regularised", "Slip Weakening", "Truncated"}));
-  EXPECT_EQ(stateLaws().names(), (Names{"Ageing", "Flash Heating", "Slip", "Slip Weakening",
+            (Names{"Cut-Off", "None", "Regularised", "Slip Weakening", "Truncated"}));
+  EXPECT_EQ(stateLaws().names(), (Names{"Ageing", "Flash Heating", "None", "Slip", "Slip Weakening",
                                         "Strong Rate Weakening", "Tabulated"}));
 }
 
@@ -84,7 +84,8 @@ TEST(Registry, KnowsWhichStateALawDependsOn)
 {
   for (auto const& friction : frictionLaws().names()) {
     for (auto const& state : stateLaws().names()) {
-      const bool both_or_none = (friction == "Slip Weakening") == (state == "Slip Weakening");
+      const auto only = [&](char const* law) { return (friction == law) == (state == law); };
+      const bool both_or_none = only("Slip Weakening") && only("None");
       EXPECT_EQ(std::string(frictionLaws().at(friction).state_variable) ==
                   stateLaws().at(state).state_variable,
                 both_or_none)

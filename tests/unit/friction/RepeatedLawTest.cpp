@@ -18,6 +18,6 @@ TEST(RepeatedLaw, IsNamedAndMakesTheRegistryUnusable)
   EXPECT_EQ(std::count(all.begin(), all.end(), "state law 'Slip'"), 1);
   EXPECT_THROW(stateLaws().names(), std::logic_error);
   EXPECT_THROW(stateLaws().at("Slip"), std::logic_error);
-  EXPECT_EQ(frictionLaws().names().size(), 4u);
+  EXPECT_EQ(frictionLaws().names().size(), 5u);
 }
 } // namespace asperity::friction
