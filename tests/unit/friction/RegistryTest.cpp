@@ -101,12 +101,12 @@ TEST(Registry, NamesTheKnownLawsWhereOneIsUnknown)
        {messageOfOutOfRange([] { frictionLaws().at("Regularized").parameters; }),
         messageOfOutOfRange([] { makeFrictionKernels("Regularized", FaultView()); })}) {
     EXPECT_EQ(message, "'Regularized' is not a known friction law. Choose one of 'Cut-Off', "
-                       "'Regularised', 'Slip Weakening', 'Truncated'.");
+                       "'None', 'Regularised', 'Slip Weakening', 'Truncated'.");
   }
   for (auto const& message : {messageOfOutOfRange([] { stateLaws().at("Aging").parameters; }),
                               messageOfOutOfRange([&none] { makeStateKernels("Aging", none); })}) {
     EXPECT_EQ(message, "'Aging' is not a known state law. Choose one of 'Ageing', 'Flash Heating', "
-                       "'Slip', 'Slip Weakening', 'Strong Rate Weakening', 'Tabulated'.");
+                       "'None', 'Slip', 'Slip Weakening', 'Strong Rate Weakening', 'Tabulated'.");
   }
 }
 
