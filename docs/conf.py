@@ -49,6 +49,8 @@ def with_bold_letters(formula):
             if first <= letter <= last:
                 return chr(place + ord(letter) - ord(first))
         return letter
+    formula = re.sub(r'<mstyle mathvariant="bold">\s*<(m[ino])>([^<]*)</m[ino]>\s*</mstyle>',
+                     r'<\1 mathvariant="bold">\2</\1>', formula)
     return re.sub(r'<(m[ino]) mathvariant="bold">([^<]*)<',
                   lambda found: f"<{found[1]}>{''.join(map(bold, found[2]))}<", formula)
 
