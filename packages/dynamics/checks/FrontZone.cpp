@@ -1,6 +1,7 @@
 #include "dynamics/checks/FrontZone.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "portability/Views.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -8,25 +9,40 @@
 
 namespace asperity::dynamics
 {
-FrontZone::FrontZone(std::vector<double> const& slip_modulus, std::vector<double> const& b,
-                     std::vector<double> const& L, std::vector<double> cell,
-                     std::vector<bool> slides, RCP<const Communicator> communicator)
-    : modulus_(slip_modulus)
-    , L_(L)
-    , cell_(std::move(cell))
-    , slides_(std::move(slides))
-    , communicator_(std::move(communicator))
+FrontZone::FrontZone(std::vector<double> modulus, std::vector<double> const& b,
+                     std::vector<double> const& L, std::vector<double> const& cell,
+                     std::vector<bool> const& slides, RCP<const Communicator> communicator)
+    : communicator_(std::move(communicator))
 {
+  std::vector<int> counts(L.size());
   double shortest = std::numeric_limits<double>::max();
   for (std::size_t node = 0; node < L.size(); ++node) {
-    slides_[node] = slides_[node] && b[node] > 0;
-    if (slides_[node]) {
-      modulus_[node] /= b[node];
+    counts[node] = slides[node] && b[node] > 0;
+    if (counts[node]) {
+      modulus[node] /= b[node];
       shortest = std::min(shortest, L[node]);
     }
   }
   shortest_ = minOverRanks(shortest, *communicator_);
+  modulus_ = toDevice(modulus, "asperity::dynamics::modulusOverB");
+  cell_ = toDevice(cell, "asperity::dynamics::largerCell");
+  slides_ = toDevice(counts, "asperity::dynamics::slides");
 }
+
+namespace
+{
+double fastestOf(ConstNodeView const& V, ConstFlagView const& slides)
+{
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::fastestNode", RangePolicy(0, V.extent(0)),
+    KOKKOS_LAMBDA(int node, double& fastest) {
+      fastest = slides(node) && V(node) > fastest ? V(node) : fastest;
+    },
+    Kokkos::Max<double>(result));
+  return std::max(result, 0.); // a rank may have no nodes
+}
+} // namespace
 
 // The slope of alpha along slip is that of the law's flow over a small slip, the same time for all
 // nodes. Those that slip far more slowly than the fastest one would lose it to rounding.
@@ -36,38 +52,46 @@ FrontZone::narrowest(friction::StateKernels const& state, ConstNodeView const& V
 {
   constexpr double small_slip = 1e-4; // of L
   constexpr double fast = 0.1;        // of the largest slip rate
-  auto const rates = toVector(V);
-  double fastest = 0;
-  for (std::size_t node = 0; node < rates.size(); ++node) {
-    fastest = slides_[node] ? std::max(fastest, rates[node]) : fastest;
-  }
-  fastest = maxOverRanks(fastest, *communicator_);
+  const double fastest = maxOverRanks(fastestOf(V, slides_), *communicator_);
   if (!(fastest > 0)) {
     return std::nullopt;
   }
   const double dt = small_slip * shortest_ / fastest;
-  const NodeView after("asperity::dynamics::alphaAfterSlip", rates.size());
+  const int num_nodes = V.extent_int(0);
+  const NodeView after("asperity::dynamics::alphaAfterSlip", num_nodes);
   state.flow(V, dt, given.alpha, after);
-  auto const alpha = toVector(given.alpha), sigma_n = toVector(given.sigma_n);
-  auto const changed = toVector(after);
+
+  auto const alpha = given.alpha, sigma_n = given.sigma_n;
+  auto const slides = slides_;
+  auto const modulus = modulus_, cell = cell_;
   constexpr double none = std::numeric_limits<double>::max();
-  Narrowest found{none, none, -1};
-  for (std::size_t node = 0; node < rates.size(); ++node) {
-    const double fall = alpha[node] - changed[node];
-    if (!slides_[node] || rates[node] < fast * fastest || !(fall * sigma_n[node] > 0)) {
-      continue;
-    }
-    const double length = modulus_[node] * rates[node] * dt / (fall * sigma_n[node]);
-    if (length / cell_[node] < found.cells) {
-      found = {length / cell_[node], length, static_cast<int>(node)};
-    }
-  }
-  const double fewest = minOverRanks(found.cells, *communicator_);
+  using Fewest = Kokkos::MinLoc<double, int>;
+  Fewest::value_type mine;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::narrowestZone", RangePolicy(0, num_nodes),
+    KOKKOS_LAMBDA(int node, Fewest::value_type& least) {
+      const double weakening = (alpha(node) - after(node)) * sigma_n(node);
+      if (slides(node) && V(node) >= fast * fastest && weakening > 0) {
+        const double cells = modulus(node) * V(node) * dt / (weakening * cell(node));
+        if (cells < least.val) {
+          least.val = cells;
+          least.loc = node;
+        }
+      }
+    },
+    Fewest(mine));
+  const double fewest = minOverRanks(mine.val, *communicator_);
   if (fewest == none) {
     return std::nullopt;
   }
-  const bool is_here = found.cells == fewest;
-  return Narrowest{fewest, minOverRanks(is_here ? found.length : none, *communicator_),
-                   is_here ? found.node : -1};
+  Narrowest found{fewest, none, -1};
+  if (mine.val == fewest) {
+    found.node = mine.loc;
+    double size = 0;
+    Kokkos::deep_copy(size, Kokkos::subview(cell_, mine.loc));
+    found.length = fewest * size;
+  }
+  found.length = minOverRanks(found.length, *communicator_);
+  return found;
 }
 } // namespace asperity::dynamics

@@ -30,9 +30,9 @@ public:
 
   // All (num_nodes): slip_modulus G' [Pa] (FaultResolution.hpp), b, L [m], and the length of the
   // larger cell beside the node [m]. slides: whether friction acts there. Collective.
-  FrontZone(std::vector<double> const& slip_modulus, std::vector<double> const& b,
-            std::vector<double> const& L, std::vector<double> cell, std::vector<bool> slides,
-            RCP<const Communicator> communicator);
+  FrontZone(std::vector<double> slip_modulus, std::vector<double> const& b,
+            std::vector<double> const& L, std::vector<double> const& cell,
+            std::vector<bool> const& slides, RCP<const Communicator> communicator);
 
   // The zone that has the fewest cells, on all ranks, among the nodes that slip at a tenth of the
   // largest slip rate or faster; empty if friction falls at none of them. V(num_nodes) [m/s];
@@ -41,10 +41,10 @@ public:
                                      friction::StateAndStress const& given) const;
 
 private:
-  std::vector<double> modulus_; // G' / b [Pa]
-  std::vector<double> L_, cell_;
-  std::vector<bool> slides_;
-  double shortest_; // L [m], on all ranks
+  NodeView modulus_; // G' / b [Pa]
+  NodeView cell_;    // [m]
+  FlagView slides_;  // 0 where b is 0 as well
+  double shortest_;  // L [m], on all ranks
   RCP<const Communicator> communicator_;
 };
 } // namespace asperity::dynamics
