@@ -77,13 +77,15 @@ class OtherRanks(unittest.TestCase):
         first = runs.fresh(name)
         runs.stop(self, runs.begin(first, *deck))
         begin = checkpoint_values(first)
+        # That waves do not cross the body in so short a time is a warning of its own.
         deck = [*deck, *runs.settings("Time Stepping/Final Time=1e-9")]
         for number in (*ranks, 1):
             self.go_on(first, deck, number)
         end = checkpoint_values(first)
         self.assertEqual(begin["checksums"].shape, end["checksums"].shape)
         kept = [path for path in begin if path.startswith("values/")
-                and not any(word in path for word in ("segment", "num_bytes", "wall_time"))]
+                and not any(word in path for word in ("segment", "num_bytes", "wall_time",
+                                                   "values/warnings"))]
         self.assertGreater(len([path for path in kept if path.endswith("/alpha")]), 0)
         for path in kept:
             largest = rounding * numpy.abs(begin[path]).max(initial=0)
