@@ -187,8 +187,9 @@ void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights con
                 [&] { multigrid::multiplyAdd(level.graph, level.schedule, A, x, y); });
   // Zero, so that no sweep overflows.
   const auto inverse = multigrid::makeNumbers(level.graph.rows() * level.graph.row_size);
+  const auto damping = multigrid::makeNumbers(level.hasJacobiPart() ? level.graph.rows() : 0);
   multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
-    const multigrid::Sweeps<decltype(rows)::value> sweeps(level, A, inverse);
+    const multigrid::Sweeps<decltype(rows)::value> sweeps(level, A, inverse, damping);
     meter.measure("forward sweep and residual", bytesOfSweep(level),
                   [&] { sweeps.forward(b, x, residual); });
   });

@@ -2,6 +2,7 @@
 
 #include "multigrid/CoarsestSolver.hpp"
 #include "multigrid/CycleKernels.hpp"
+#include "multigrid/Damping.hpp"
 #include "multigrid/FlushDenormals.hpp"
 #include "multigrid/Sweeps.hpp"
 
@@ -31,6 +32,8 @@ void copyFirst(NodeVector const& from, NodeVector const& to, std::size_t count)
   const auto first = std::make_pair(std::size_t(0), count);
   Kokkos::deep_copy(Kokkos::subview(to, first), Kokkos::subview(from, first));
 }
+
+float const* pointerTo(NodeVector const& x) { return x.extent(0) > 0 ? x.data() : nullptr; }
 
 template <class Row>
 void forEachOf(IndexView const& rows, Row const& row)
@@ -73,6 +76,7 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> con
   data_[0].A = hierarchy_->inOrder(Z);
   withSize(size, [&](auto rows_of_block) {
     constexpr int N = decltype(rows_of_block)::value;
+    damp<N>(0);
     finest().schedule.forEach(finestInversion<N>());
   });
   for (std::size_t l = 1; l < levels.size(); ++l) {
@@ -81,7 +85,9 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> con
     data_[l].b = makeNumbers(graph.rows());
     levels[l].schedule.forEach(sumOfTerms(l));
     withSize(graph.row_size, [&](auto rows_of_block) {
-      levels[l].schedule.forEach(inversion<decltype(rows_of_block)::value>(l));
+      constexpr int N = decltype(rows_of_block)::value;
+      damp<N>(l);
+      levels[l].schedule.forEach(inversion<N>(l));
     });
   }
 }
@@ -110,7 +116,29 @@ template <int N>
 InvertRow<N> Cycle::inversion(std::size_t l) const
 {
   auto const& level = hierarchy_->levels()[l];
-  return {level.graph.diagonal.data(), data_[l].A.data(), data_[l].inverse.data()};
+  auto const& data = data_[l];
+  return {level.graph.diagonal.data(), data.A.data(), pointerTo(data.damping), data.inverse.data()};
+}
+
+// Brings the damping of a level up to date with its matrix. Collective.
+template <int N>
+void Cycle::damp(std::size_t l)
+{
+  auto const& level = hierarchy_->levels()[l];
+  auto& data = data_[l];
+  if (isCoarsest(l) || !level.hasJacobiPart()) {
+    return;
+  }
+  if (data.damping.extent(0) == 0) {
+    data.damping = makeNumbers(level.graph.rows());
+  }
+  int const* held = l == 0 ? held_.data() : nullptr;
+  int const* diagonal = level.graph.diagonal.data();
+  auto const& scale = data.x; // which a cycle overwrites
+  level.schedule.forEach(ScaleRow<N>{diagonal, data.A.data(), held, scale.data()});
+  level.graph.share(scale);
+  level.schedule.forEach(DampRow<N>{BlockRows<N>(level, data.A, data.inverse, data.damping),
+                                    diagonal, scale.data(), data.damping.data()});
 }
 
 bool Cycle::setup(HessianView const& H, ConstFlagView const& removed)
@@ -134,7 +162,9 @@ bool Cycle::setup(HessianView const& H, ConstFlagView const& removed)
 template <int N>
 InvertFinest<N> Cycle::finestInversion() const
 {
-  return {finest().graph.diagonal.data(), data_[0].A.data(), held_.data(), data_[0].inverse.data()};
+  auto const& data = data_[0];
+  return {finest().graph.diagonal.data(), data.A.data(), pointerTo(data.damping), held_.data(),
+          data.inverse.data()};
 }
 
 // A: the matrix of the coarsest level.
@@ -158,7 +188,13 @@ void Cycle::setCoarseBlocks(HessianView const& H)
     forEachOf(level.added.rows(), sumOfTerms(l));
     level.added.addTo(data_[l].A, H);
     withSize(level.graph.row_size, [&](auto rows) {
-      forEachOf(level.added.rows(), inversion<decltype(rows)::value>(l));
+      constexpr int N = decltype(rows)::value;
+      damp<N>(l);
+      if (data_[l].damping.extent(0) > 0) {
+        level.schedule.forEach(inversion<N>(l));
+      } else {
+        forEachOf(level.added.rows(), inversion<N>(l));
+      }
     });
   }
   coarsest_.reset();
@@ -173,7 +209,7 @@ void Cycle::descend(std::size_t l, NodeVector const& b)
     return;
   }
   withSize(level.graph.row_size, [&](auto rows) {
-    const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse);
+    const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse, data.damping);
     sweeps.forward(b, data.x, data.residual);
     sweeps.clearHeld(data.residual);
     level.restriction.multiply(level.prolongation, level.schedule, level.P, data.residual,
@@ -197,7 +233,7 @@ Cycle::Result Cycle::run(NodeVector const& r, bool with_image)
   descend(0, r);
   if (with_image) {
     withSize(rowSize(), [&](auto rows) {
-      const Sweeps<decltype(rows)::value> sweeps(finest(), data.A, data.inverse);
+      const Sweeps<decltype(rows)::value> sweeps(finest(), data.A, data.inverse, data.damping);
       if (isCoarsest(0)) { // solved exactly
         Kokkos::deep_copy(data.residual, r);
         sweeps.clearHeld(data.residual);
@@ -228,9 +264,9 @@ std::size_t Cycle::bytes() const
 {
   std::size_t sum = 0;
   for (auto const& data : data_) {
-    sum += sizeof(float) *
-           (data.A.extent(0) + data.inverse.extent(0) + data.b.extent(0) + data.x.extent(0) +
-            data.residual.extent(0) + data.coarse.extent(0) + data.before.extent(0));
+    sum += sizeof(float) * (data.A.extent(0) + data.inverse.extent(0) + data.damping.extent(0) +
+                            data.b.extent(0) + data.x.extent(0) + data.residual.extent(0) +
+                            data.coarse.extent(0) + data.before.extent(0));
   }
   return sum;
 }

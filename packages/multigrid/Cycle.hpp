@@ -18,8 +18,9 @@ struct InvertFinest;
 // before and backward after the coarse correction, so that the cycle is symmetric. A node's block
 // is its block of Z + H, where H has blocks at some nodes, the added nodes. It runs where all
 // kernels do; the coarsest level is solved on the host. Between chunks of rows and between ranks
-// Gauss-Seidel is Jacobi (Schedule). From zero a forward sweep leaves the residual of the couplings
-// that it has not used, so that sweep and residual together read the matrix once.
+// Gauss-Seidel is Jacobi (Schedule), damped as far as the cycle needs it to be positive
+// (Damping.hpp). From zero a forward sweep leaves the residual of the couplings that it has not
+// used, so that sweep and residual together read the matrix once.
 class Cycle
 {
 public:
@@ -64,7 +65,8 @@ private:
   {
     explicit LevelData(Level const& level);
 
-    NodeBlocks A, inverse; // inverse of the diagonal blocks, zero where not free
+    NodeBlocks A, inverse; // inverse of the damped diagonal blocks, zero where not free
+    NodeVector damping;    // E; empty where no sweep is one of Jacobi
     NodeVector b, x;       // x with ghosts; no b on the finest level
     NodeVector residual;
     NodeVector coarse;             // on the columns of the prolongation
@@ -77,6 +79,8 @@ private:
   SumTermsRow sumOfTerms(std::size_t l) const;
   template <int N>
   InvertRow<N> inversion(std::size_t l) const;
+  template <int N>
+  void damp(std::size_t l);
   template <int N>
   InvertFinest<N> finestInversion() const;
   void descend(std::size_t l, NodeVector const& b);

@@ -123,17 +123,21 @@ struct SumTermsRow
   }
 };
 
-struct AllFree
+// Adds the damping E of a row (Damping.hpp), or nothing where it is null.
+template <int N>
+KOKKOS_INLINE_FUNCTION void addDamping(float const* E, int row, double (&block)[N][N])
 {
-  KOKKOS_FUNCTION bool operator()(int) const { return true; }
-};
+  for (int c = 0; c < N && E != nullptr; ++c) {
+    block[c][c] += E[row * N + c];
+  }
+}
 
-// The inverse of the diagonal block of a coarse row; zero without one.
+// The inverse of the diagonal block of a coarse row, damped; zero without one.
 template <int N>
 struct InvertRow
 {
   int const* diagonal; // of MatrixGraph
-  float const* A;
+  float const *A, *E;
   float* inverse;
   KOKKOS_FUNCTION void operator()(int row, int, int) const
   {
@@ -141,6 +145,7 @@ struct InvertRow
     for (int i = 0; diagonal[row] >= 0 && i < N * N; ++i) {
       block[i / N][i % N] = A[static_cast<std::size_t>(diagonal[row]) * N * N + i];
     }
+    addDamping(E, row, block);
     invertFree(block, AllFree(), inverse + static_cast<std::size_t>(row) * N * N);
   }
 };
@@ -154,12 +159,12 @@ struct FreeComponents
   KOKKOS_FUNCTION bool operator()(int c) const { return !held[c] && !removed[c]; }
 };
 
-// The inverse of the diagonal block of a fine row, of Z alone.
+// The inverse of the diagonal block of a fine row, of Z alone, damped.
 template <int N>
 struct InvertFinest
 {
   int const* diagonal; // of MatrixGraph; every row has one
-  float const* A;
+  float const *A, *E;
   int const* held;
   float* inverse;
   KOKKOS_FUNCTION void operator()(int row, int, int) const
@@ -174,6 +179,7 @@ struct InvertFinest
       block[i / N][i % N] =
         A[static_cast<std::size_t>(diagonal[row]) * N * N + i] + block[i / N][i % N];
     }
+    addDamping(E, row, block);
     invertFree(block, free, inverse + static_cast<std::size_t>(row) * N * N);
   }
 };

@@ -31,6 +31,9 @@ struct Level
   TransposedProduct restriction;
   AddedBlocks added;
   Schedule schedule; // of the rows of the matrix and of the prolongation
+
+  // Whether a sweep takes values from before it, from other chunks or ranks.
+  bool hasJacobiPart() const { return graph.ghosts || schedule.sharesSweeps(); }
 };
 
 // The rows of the coarsest level in a matrix of all ranks.

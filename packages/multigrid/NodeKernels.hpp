@@ -190,6 +190,11 @@ KOKKOS_INLINE_FUNCTION void addTransposed(float const* a, float const* x, float*
 
 #endif
 
+struct AllFree
+{
+  KOKKOS_FUNCTION bool operator()(int) const { return true; }
+};
+
 // The inverse of a symmetric positive semidefinite block in the components with free(c), zero in
 // the others. A component that depends on those before it to single precision counts as not free:
 // an aggregate of one or two nodes has fewer motions than a rigid body.

@@ -6,20 +6,24 @@
 namespace asperity::multigrid
 {
 // The rows of a level's matrix A with blocks of N rows, for kernels. Below, a row is taken in order
-// with those from `begin` to `end` (Schedule); L and U are its couplings with earlier and later
-// ones of these, G those with others and with ghosts of other ranks.
+// with those from `begin` to `end` (Schedule); D is its block with itself, L and U are its
+// couplings with earlier and later ones of these, G those with others and with ghosts of other
+// ranks. A sweep solves with D + E, where E is diagonal (DampRow).
 template <int N>
 struct BlockRows
 {
   int const *lower, *upper, *columns; // of MatrixGraph
-  float const *A, *inverse;           // inverse of the diagonal blocks, zero where not free
+  float const *A, *inverse;           // inverse of D + E, zero where not free
+  float const* E;                     // (rows), or null if it is zero
 
-  BlockRows(Level const& level, NodeBlocks const& blocks, NodeBlocks const& inverses)
+  BlockRows(Level const& level, NodeBlocks const& blocks, NodeBlocks const& inverses,
+            NodeVector const& damping)
       : lower(level.graph.lower.data())
       , upper(level.graph.upper.data())
       , columns(level.graph.columns.data())
       , A(blocks.data())
       , inverse(inverses.data())
+      , E(damping.extent(0) > 0 ? damping.data() : nullptr)
   {
   }
 
@@ -51,6 +55,19 @@ struct BlockRows
   {
     sum.add(A + static_cast<std::size_t>(k) * N * N, x + columns[k] * N);
   }
+  // to += E x
+  KOKKOS_FUNCTION void addDamped(int row, float const* x, float* to) const
+  {
+    for (int i = row * N; E != nullptr && i < (row + 1) * N; ++i) {
+      to[i] += E[i] * x[i];
+    }
+  }
+  KOKKOS_FUNCTION void subtractDamped(int row, float const* x, float* from) const
+  {
+    for (int i = row * N; E != nullptr && i < (row + 1) * N; ++i) {
+      from[i] -= E[i] * x[i];
+    }
+  }
   KOKKOS_FUNCTION void solve(int row, float const (&rest)[N], float* x) const
   {
     multiplySymmetric<N>(inverse + static_cast<std::size_t>(row) * N * N, rest, x + row * N);
@@ -81,7 +98,7 @@ struct ForwardRow
   }
 };
 
-// A row of the residual after it, -(U + G) x.
+// A row of the residual after it, E x - (U + G) x.
 template <int N>
 struct ResidualRow
 {
@@ -103,6 +120,7 @@ struct ResidualRow
     for (int c = 0; c < N; ++c) {
       residual[row * N + c] = -rest[c];
     }
+    of.addDamped(row, x, residual);
   }
 };
 
@@ -113,7 +131,7 @@ struct BackwardRow
 {
   BlockRows<N> of;
   float const *b, *x_before;
-  float *x, *residual; // b - (L + G) x_before
+  float *x, *residual; // b - (L + G) x_before + E (x_before - x)
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
     if (const int next = row - of.rows_ahead; next >= begin) {
@@ -131,17 +149,21 @@ struct BackwardRow
     for (; k < of.upper[row + 1]; ++k) {
       of.add(old, k, x_before);
     }
-    float rest[N];
     for (int c = 0; c < N; ++c) {
       residual[row * N + c] = b[row * N + c] - old[c];
+    }
+    of.addDamped(row, x, residual);
+    float rest[N];
+    for (int c = 0; c < N; ++c) {
       rest[c] = residual[row * N + c] - updated[c];
     }
     of.solve(row, rest, x);
+    of.subtractDamped(row, x, residual);
   }
 };
 
-// A row of A x after the backward sweep: that solved (D + U) x = b - (L + G) x_before, so that only
-// (L + G) x has to be added to what it stored.
+// A row of A x after the backward sweep: that solved (D + E + U) x = b - (L + G) x_before +
+// E x_before, so that only (L + G) x has to be added to what it stored.
 template <int N>
 struct ImageRow
 {
@@ -188,9 +210,10 @@ template <int N>
 class Sweeps
 {
 public:
-  Sweeps(Level const& level, NodeBlocks const& A, NodeBlocks const& inverse)
+  Sweeps(Level const& level, NodeBlocks const& A, NodeBlocks const& inverse,
+         NodeVector const& damping)
       : level_(level)
-      , rows_(level, A, inverse)
+      , rows_(level, A, inverse, damping)
   {
   }
 
@@ -201,8 +224,8 @@ public:
     level_.graph.share(x);
     level_.schedule.forEach(ResidualRow<N>{rows_, x.data(), residual.data()});
   }
-  // The backward sweep. Stores b - (L + G) x_before in `residual`. `before` is made and overwritten
-  // if sweeps are shared.
+  // The backward sweep. Stores b - (L + G) x_before + E (x_before - x) in `residual`. `before` is
+  // made and overwritten if sweeps are shared.
   void backward(NodeVector const& b, NodeVector const& x, NodeVector const& residual,
                 NodeVector& before) const
   {

@@ -47,14 +47,6 @@ std::vector<double> ownModuli(std::string const& choice, Rock const& rock)
   return moduli;
 }
 
-// With patches across ranks rate problems do not converge, though the matrices are right. So Auto
-// takes cells there.
-std::string choiceOf(ParameterList const& bulk, Communicator const& communicator)
-{
-  auto const choice = bulk.get<std::string>(volumetric_strain);
-  return choice == automatic && communicator.getSize() > 1 ? of_cells : choice;
-}
-
 bool areSmaller(std::vector<double> const& moduli, std::vector<fem::Material> const& materials)
 {
   for (std::size_t cell = 0; cell < moduli.size(); ++cell) {
@@ -103,7 +95,7 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
                                    std::vector<std::string> const& faults, Mesh<Dim>& mesh,
                                    Rock& rock, Communicator const& communicator)
 {
-  auto const choice = choiceOf(bulk, communicator);
+  auto const choice = bulk.get<std::string>(volumetric_strain);
   if (displacementComponents(bulk) != Dim || choice == of_cells) {
     return {};
   }
@@ -111,11 +103,6 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
   if (maxOverRanks(areSmaller(moduli, rock.materials) ? 1 : 0, communicator) == 0) {
     return {};
   }
-  ASPERITY_REQUIRE(communicator.getSize() == 1,
-                   joinPath(bulk_path, volumetric_strain)
-                     << " = " << choice << " runs on one rank only, but there are "
-                     << communicator.getSize()
-                     << ". Take one rank, or Cell, with which cells are too stiff near 1/2.");
   auto vertices = fem::patchVertices(mesh, faults, communicator);
   if (communicator.getSize() > 1) {
     mesh::completeGroups(mesh, vertices, communicator);
@@ -129,11 +116,9 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
 std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
                                    Communicator const& communicator)
 {
-  auto const choice = choiceOf(bulk, communicator);
-  const bool depends_on_ranks = choice != bulk.get<std::string>(volumetric_strain);
-  const double bound = depends_on_ranks ? fem::own_poissons_ratio + 1e-6 : 0.4;
+  constexpr double bound = 0.4;
   const int components = displacementComponents(bulk);
-  auto const moduli = ownModuli(choice, rock);
+  auto const moduli = ownModuli(bulk.get<std::string>(volumetric_strain), rock);
   double largest = 0;
   for (std::size_t cell = 0; cell < moduli.size() && components > 1; ++cell) {
     auto const& material = rock.materials[cell];
@@ -145,17 +130,15 @@ std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
   if (largest < bound) {
     return {};
   }
-  return {{"cells that lock",
-           "Cells with a Poisson's ratio of up to " + formatShort(largest) +
-             " keep their volume each for itself, and are too stiff: of a crack that is 16 cells "
-             "wide, they hold back about " +
-             formatted("%.0f", 100 * lostSlip(largest, components)) +
-             " % of the slip, with half the cells about half of it. " +
-             (depends_on_ranks
-                ? "On one rank they would share it by Bulk / Volumetric Strain = Auto, and the "
-                  "answer would be another one. Take one rank, or smaller cells."
-                : "Choose Bulk / Volumetric Strain = Auto, which has no effect in rock that yields "
-                  "or has a power law, and one rank; else smaller cells or another law there.")}};
+  return {
+    {"cells that lock",
+     "Cells with a Poisson's ratio of up to " + formatShort(largest) +
+       " keep their volume each for itself, and are too stiff: of a crack that is 16 cells "
+       "wide, they hold back about " +
+       formatted("%.0f", 100 * lostSlip(largest, components)) +
+       " % of the slip, with half the cells about half of it. "
+       "Choose Bulk / Volumetric Strain = Auto, which has no effect in rock that yields or has "
+       "a power law; else smaller cells or another law there."}};
 }
 
 template fem::VolumetricPatches makePatches(ParameterList const&, std::vector<std::string> const&,

@@ -15,14 +15,22 @@ inline constexpr int num_nodes = 900, width = 3; // of an aggregate
 inline constexpr int last = num_nodes - 1;       // which is held
 
 // A chain of springs with weak supports, whose last node is held. With a diagonal below 2 it is
-// indefinite.
-inline Eigen::MatrixXd chain(double diagonal = 2.01)
+// indefinite. With a window the sum over that many successive nodes, with alternating
+// signs, is resisted, too: a strong coupling that no coarse level sees.
+inline Eigen::MatrixXd chain(double diagonal = 2.01, int window = 0)
 {
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(num_nodes, num_nodes);
   for (int i = 0; i < num_nodes; ++i) {
     Z(i, i) = diagonal;
     if (i > 0 && i < last) {
       Z(i, i - 1) = Z(i - 1, i) = -1;
+    }
+  }
+  for (int first = 0; first + window <= last; ++first) {
+    for (int i = first; i < first + window; ++i) {
+      for (int k = first; k < first + window; ++k) {
+        Z(i, k) += (i + k) % 2 == 0 ? 1 : -1;
+      }
     }
   }
   return Z;
@@ -124,9 +132,9 @@ inline std::vector<Order> orders()
   return {{RowOrder::colours, 1}};
 }
 
-inline std::shared_ptr<const Hierarchy> twoLevels(double diagonal, Order order)
+inline std::shared_ptr<const Hierarchy> twoLevels(double diagonal, Order order, int window = 0)
 {
-  const Eigen::MatrixXd Z = chain(diagonal), P = prolongator();
+  const Eigen::MatrixXd Z = chain(diagonal, window), P = prolongator();
   const Matrix fine(Z), between(P), coarse(P.transpose() * Z * P);
   std::vector<HostLevel> levels(2);
   levels[0].graph = fine.graph;
@@ -142,10 +150,10 @@ inline std::shared_ptr<const Hierarchy> twoLevels(double diagonal, Order order)
 // The cycle for a chain with blocks H at all nodes, some of which are removed.
 struct Chain
 {
-  explicit Chain(Order order = {}, double diagonal = 2.01)
+  explicit Chain(Order order = {}, double diagonal = 2.01, int window = 0)
       : H("H", num_nodes, 1, 1)
       , removed("removed", num_nodes)
-      , hierarchy(twoLevels(diagonal, order))
+      , hierarchy(twoLevels(diagonal, order, window))
   {
     const auto H_on_host = Kokkos::create_mirror_view(H);
     const auto removed_on_host = Kokkos::create_mirror_view(removed);
@@ -160,9 +168,9 @@ struct Chain
     std::vector<char> held(num_nodes, 0);
     held[last] = 1;
     const auto dofs_on_device = indices(dofs);
-    cycle =
-      std::make_unique<Cycle>(hierarchy, std::vector<double>{1}, Matrix(chain(diagonal)).blocks,
-                              held, Cycle::Dofs(dofs_on_device.data(), num_nodes, 1));
+    cycle = std::make_unique<Cycle>(hierarchy, std::vector<double>{1},
+                                    Matrix(chain(diagonal, window)).blocks, held,
+                                    Cycle::Dofs(dofs_on_device.data(), num_nodes, 1));
   }
 
   static double blockAt(int node) { return node % 4; }

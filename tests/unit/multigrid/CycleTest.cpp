@@ -32,6 +32,26 @@ TEST(Cycle, IsSymmetricAndGivesTheImageOfItsResult)
   }
 }
 
+// In a chain whose chunks are coupled more strongly than nodes with themselves. Without damping the
+// smallest eigenvalue would be -0.0006.
+TEST(Cycle, IsPositiveHoweverStronglyChunksAreCoupled)
+{
+  for (auto order : orders()) {
+    const Chain chain(order, 2.01, 12);
+    const HessianView no_blocks("H", num_nodes, 1, 1);
+    const FlagView none_removed("removed", num_nodes);
+    ASSERT_TRUE(chain.cycle->setup(no_blocks, none_removed));
+    Eigen::MatrixXd B(last, last);
+    for (int node = 0; node < last; ++node) {
+      B.col(node) = chain.run(Eigen::VectorXd::Unit(num_nodes, node)).z.head(last);
+    }
+    EXPECT_LE((B - B.transpose()).norm(), 1e-5 * B.norm());
+    const Eigen::MatrixXd symmetric = (B + B.transpose()) / 2;
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues().minCoeff(),
+              0);
+  }
+}
+
 // With three threads each of two levels has three chunks and one.
 TEST(Schedule, HasAChunkForEachThreadUnlessItIsSmall)
 {

@@ -106,12 +106,13 @@ class Cracks(unittest.TestCase):
         self.assertIn(WARNING, printed)
         self.assertNotIn(WARNING, share(0.39, False, alone)[1])
 
-    def test_on_several_ranks_cells_do_not_share_and_the_program_says_so(self):
-        found, printed = share(0.39, False, ranks=2)
-        self.assertIn(WARNING, printed)
-        self.assertAlmostEqual(found, share(0.39, False, "Bulk/Volumetric Strain=Cell")[0], 5)
-        with self.assertRaisesRegex(AssertionError, "runs on one rank only"):
-            share(0.39, False, "Bulk/Volumetric Strain=Patch", ranks=2)
+    def test_any_number_of_ranks(self):
+        for nu in (0.45, 0.499):
+            expected, _ = share(nu, True)
+            for ranks in (2, 3):
+                found, printed = share(nu, True, ranks=ranks)
+                self.assertAlmostEqual(found, expected, 6)
+                self.assertNotIn(WARNING, printed)
 
 
 if __name__ == "__main__":
