@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "scenario/Problem.hpp"
 
 #include <array>
@@ -53,4 +54,8 @@ std::string rakeInWords(FaultSides const& sides, std::array<double, 3> const& sl
 // shear traction, and one for the plates' motion along it, if the deck has one. Collective.
 template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck);
+
+// Of files for SEAS and SCEC, which have one sense for all faults, where theirs differ. Collective.
+template <int Dim>
+std::vector<Warning> warnOfText(Problem<Dim> const& problem, ParameterList const& deck);
 } // namespace asperity::scenario

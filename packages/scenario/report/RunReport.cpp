@@ -147,6 +147,8 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   describeWedge(deck, problem.upright.down, description);
   const auto sense = describeSense(problem, deck);
   lines.insert(lines.end(), sense.begin(), sense.end());
+  const auto of_text = warnOfText(problem, deck);
+  description.warnings.insert(description.warnings.end(), of_text.begin(), of_text.end());
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const& resolution = problem.scales.resolution) {
     auto const state_law = friction.get<std::string>("State Evolution");

@@ -158,7 +158,10 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
     auto const& time = deck.sublist("Time Stepping");
-    const double dt = std::min(time.get<double>("Largest Step"), finalTime(time)) * 1e-6;
+    double dt = std::min(time.get<double>("Largest Step"), finalTime(time)) * 1e-6;
+    if (time.isParameter("Smallest Step")) {
+      dt = std::min(dt, time.get<double>("Smallest Step"));
+    }
     auto const load = body.vector();
     body.load(0, *load);
     state.a = dynamics::prescribedAcceleration(body, dt);

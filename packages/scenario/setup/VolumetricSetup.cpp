@@ -86,8 +86,8 @@ void declareVolumetricStrain(Declare& bulk)
     "Poisson's ratio up to 0.3 bears follows from the strain of the cell, what nearly "
     "incompressible rock bears beyond it from the mean over a patch of cells around a vertex, so "
     "that cells do not lock. Cell: all follows from the cell. Patch: all follows from the patch, "
-    "in rock of any Poisson's ratio; softer, and steps cost up to 2.5 times as much. It has no "
-    "effect in antiplane models, and in rock that yields or has a power law.");
+    "in rock of any Poisson's ratio; softer, and steps take about 3 times as long in space. It has "
+    "no effect in antiplane models, and in rock that yields or has a power law.");
 }
 
 template <int Dim>

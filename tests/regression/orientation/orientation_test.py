@@ -56,6 +56,14 @@ class SeveralFaults(unittest.TestCase):
                       "along (1, 0): right lateral in a map.", lines)
 
 
+    def test_text_files_take_one_sense(self):
+        text = settings({"Output/Text Format": "SEAS", "Output/Receivers/On Fault/mid": 1000.})
+        warning = "takes one sense of slip for all faults"
+        self.assertNotIn(warning, "\n".join(lines_of(TWO_FAULTS, *text)))
+        self.assertNotIn(warning, "\n".join(lines_of(TWO_FAULTS, *self.LEVEL)))
+        self.assertIn(warning, "\n".join(lines_of(TWO_FAULTS, *self.LEVEL, *text)))
+
+
 class Up(unittest.TestCase):
     """It follows from the free surface, and so does gravity."""
 
