@@ -17,10 +17,12 @@ is made by `docs/parameters.py`; a test compares it with the program.** Units ar
 XML file of lists; a path such as `Time Stepping / Final Time` is a parameter in the list
 `Time Stepping`, and `--set "Time Stepping/Final Time=100"` changes it. Names in `<angle brackets>`
 are yours. "field" stands for a number, an expression in `x`, `y`, `z`, `t`, a dataset
-`"file.h5:/dataset"` with one value for each vertex, or a list with one entry for each region.
+`"file.h5:/dataset"` with one value for each vertex, or a list with one entry for each region;
+a "field without dataset" is needed at places that are no vertices.
 Laws and outputs of plugins add their own: `asperity --print-parameters --plugin libmine.so`.
 """
 FIELD = 'a number, an expression in x, y, z, t, "file.h5:/dataset" or a list of regions'
+WITHOUT_DATASET = FIELD.replace(', "file.h5:/dataset"', "")
 HEADING, NOTHING = "\n## ", "There is nothing to set.\n"
 ENTRY = re.compile(
     r"(?P<allowed>.*?); (?:(?P<need>required|optional)|default (?P<default>.*?))\."
@@ -57,7 +59,9 @@ def row(name: str, text: str) -> str:
     found = ENTRY.fullmatch(text)
     if not found:
         raise ValueError(f"'{name}': the text '{text}' has not the form that this script knows.")
-    allowed, unit = found["allowed"].replace(FIELD, "field"), found["unit"] or ""
+    allowed = found["allowed"].replace(FIELD, "field")
+    allowed = allowed.replace(WITHOUT_DATASET, "field without dataset")
+    unit = found["unit"] or ""
     if unit and allowed.endswith(" " + unit):
         allowed = allowed[:-len(unit) - 1]
     default = f"`{found['default']}`" if found["default"] is not None else found["need"]

@@ -56,8 +56,8 @@ std::string ParameterInfo::allowed() const
   case ParameterKind::file_name: return "the name of a file";
   case ParameterKind::choice: return "one of " + quotedAlternatives(words);
   case ParameterKind::field:
-    return "a number, an expression in x, y, z, t, \"file.h5:/dataset\" or a list of regions," +
-           in_range;
+    return std::string("a number, an expression in x, y, z, t") +
+           (takes_datasets ? ", \"file.h5:/dataset\"" : "") + " or a list of regions," + in_range;
   case ParameterKind::real_array: return "an array of numbers" + in_range;
   case ParameterKind::integer_array: return "an array of integers" + in_range;
   case ParameterKind::text_array: return "an array of texts";

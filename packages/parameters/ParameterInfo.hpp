@@ -47,6 +47,7 @@ public:
   std::vector<std::string> words; // of a choice; the one word of an alternative
   std::string chosen_by;          // of a list or alternative: the choice that decides, or ""
   std::string hint;
+  bool takes_datasets = true; // of a field
 
   bool isDimensionless() const { return unit.empty() || unit == "-"; }
 

@@ -187,6 +187,13 @@ Declare& Declare::hint(std::string const& text)
   return *this;
 }
 
+Declare& Declare::withoutDatasets()
+{
+  ASPERITY_ASSERT(!last_.empty());
+  Teuchos::rcp_const_cast<ParameterInfo>(parameterInfo(*list_, last_))->takes_datasets = false;
+  return *this;
+}
+
 std::string joinPath(std::string const& path, std::string const& name)
 {
   return path.empty() ? name : path + " / " + name;

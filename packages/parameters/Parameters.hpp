@@ -94,6 +94,8 @@ public:
 
   // Advice for the message that refuses the entry declared last.
   Declare& hint(std::string const& text);
+  // The field declared last is needed at places that are no vertices: it cannot be a dataset.
+  Declare& withoutDatasets();
 
   Teuchos::RCP<ParameterList> list() const { return list_; }
 

@@ -23,6 +23,7 @@ Teuchos::RCP<const Teuchos::ParameterList> Wells::validParameters()
       .field("Rate", required, "m^3/s", Range::any(),
              "This volume flows into the fault per time, out of it if negative; a number or an "
              "expression in t. In two dimensions it is that per metre of thickness [m^2/s].")
+      .withoutDatasets()
       .list();
   return Declare().sublist("<well>", well, "This list describes the well of that name.").list();
 }

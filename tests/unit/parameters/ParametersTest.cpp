@@ -267,6 +267,20 @@ TEST(Parameters, FieldRefusals)
               {"Friction / a / upper", "a list", "a number or an expression"});
 }
 
+TEST(Parameters, FieldsOffVerticesDoNotOfferDatasets)
+{
+  const auto refused = [](Declare declare) {
+    ParameterList list;
+    list.set("Velocity", true);
+    return refusal([&] { completeAndValidate(list, *declare.list(), "Drive"); });
+  };
+  Declare declare;
+  declare.field("Velocity", optional, "m/s", Range::any(), "Of the drive.");
+  expectParts(refused(declare), {"file.h5:/dataset"});
+  declare.withoutDatasets();
+  EXPECT_EQ(refused(declare).find("dataset"), std::string::npos);
+}
+
 TEST(Parameters, FieldDefaultMayBeAnExpression)
 {
   ParameterList list;

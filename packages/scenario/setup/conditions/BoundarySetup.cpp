@@ -99,6 +99,7 @@ RCP<const ParameterList> boundaryParameters()
       "Velocity", optional, "m/s", Range::any(),
       "Prescribed Velocity: says how fast the boundary moves in that direction; it is at rest if "
       "this is left out.")
+    .withoutDatasets()
     .real("Ramp Duration", optional, "s", Range::atLeast(0),
           "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
           "without this entry there is no ramp.")
@@ -107,10 +108,12 @@ RCP<const ParameterList> boundaryParameters()
            "Friction and all outputs of slip include this rate in addition to the motion of the "
            "bodies, whose far boundaries are then at rest. It points along the tangent of the "
            "fault's frame, in three dimensions along Direction, and is constant in time.")
+    .withoutDatasets()
     .field("Slip Rate", optional, "m/s", Range::any(),
            "Prescribed Slip Rate, and faults whose slip is known: says how fast the boundary "
            "slips; in two dimensions along the tangent of the fault's frame, which points along "
-           "+x on a fault below the body. A fault with a slip rate has no friction.");
+           "+x on a fault below the body. A fault with a slip rate has no friction.")
+    .withoutDatasets();
   declareTraction(one_condition);
   auto const one = one_condition.list();
   return Declare()

@@ -88,13 +88,18 @@ void prescribedTraction(BoundaryCondition const& condition, ConditionContext con
 void declareTraction(Declare& declare)
 {
   for (char const* name : component_names) {
-    declare.field(name, optional, "Pa", Range::any(),
-                  "Prescribed Traction: this component of the traction acts on the body, 0 if it "
-                  "is left out. A function of x, y, z and t.");
+    declare
+      .field(
+        name, optional, "Pa", Range::any(),
+        "Prescribed Traction: this component of the traction acts on the body, 0 if it is left "
+        "out. A function of x, y, z and t.")
+      .withoutDatasets();
   }
-  declare.field(pressure_name, optional, "Pa", Range::any(),
-                "Prescribed Traction: this is a pressure on the boundary, inwards, in addition to "
-                "the components.");
+  declare
+    .field(pressure_name, optional, "Pa", Range::any(),
+           "Prescribed Traction: this is a pressure on the boundary, inwards, in addition to the "
+           "components.")
+    .withoutDatasets();
 }
 
 ConditionType tractionType()

@@ -171,6 +171,7 @@ RCP<const ParameterList> rectangleParameters()
            "that is so, and keep the proportions of columns and rows. If columns and rows are 2^k "
            "times this size, the result has exactly this size. Without this entry no cell is "
            "bisected.")
+    .withoutDatasets()
     .real("Cell Size Factor", 1., "-", Range::positive(),
           "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
   return declareFlatCells(declare, 2).list();
@@ -211,6 +212,7 @@ RCP<const ParameterList> boxParameters()
            "bisected until that is so, and keep the proportions of the first cuboids. If these are "
            "2^k times this size, the result has exactly this size. Without this entry no cell is "
            "bisected.")
+    .withoutDatasets()
     .real("Cell Size Factor", 1., "-", Range::positive(),
           "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
   return declareFlatCells(declare, 3).boolean("Periodic Along z", false, periodic_meaning).list();

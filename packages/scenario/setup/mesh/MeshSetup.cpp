@@ -142,6 +142,7 @@ RCP<const ParameterList> meshParameters()
         .field("<region>", required, "-", Range::any(),
                "A cell belongs to the region if this condition, evaluated at its centroid, is not "
                "zero. If several regions claim a cell, the last one gets it.")
+        .withoutDatasets()
         .list(),
       "Each entry defines a region by a condition. It takes its cells from the regions of the "
       "mesh.")
@@ -152,6 +153,7 @@ RCP<const ParameterList> meshParameters()
           "<boundary>", required, "-", Range::any(),
           "A facet of the outer boundary belongs to this boundary if the condition, evaluated at "
           "its centre, is not zero. If several boundaries claim a facet, the last one gets it.")
+        .withoutDatasets()
         .list(),
       "Each entry defines a boundary by a condition. It takes its facets from the boundaries of "
       "the mesh.")
@@ -162,6 +164,7 @@ RCP<const ParameterList> meshParameters()
                "A facet between two cells belongs to this fault if the condition, evaluated at its "
                "vertices and at its centre, is nowhere zero. If several faults claim a facet, the "
                "last one gets it.")
+        .withoutDatasets()
         .list(),
       "Each entry defines a fault inside the body by a condition, as abs(y) < 1e-6. The edges of "
       "the cells must lie along it: the mesh is split there, and is not moved.")
