@@ -65,8 +65,4 @@ struct FormulaPart
 
 // All parts, in their order, of a text that need not be a correct formula.
 std::vector<FormulaPart> formulaParts(std::string const& text);
-
-// The constants with which a formula compares t, "t > 2 * 60 && 300 >= t", in their order. Others,
-// as in t - 60 > 0, are not found.
-std::vector<double> timesComparedIn(std::string const& formula);
 } // namespace asperity

@@ -1,49 +1,85 @@
 #include "scenario/run/SkippedTimes.hpp"
 
 #include "base/Text.hpp"
-#include "parameters/fields/Expression.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "parameters/fields/TimesInFormula.hpp"
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <utility>
 
 namespace asperity::scenario
 {
-namespace
-{
-void collectTimes(ParameterList const& list, std::vector<double>& times)
-{
-  for (auto const& each : list) {
-    if (list.isSublist(each.first)) {
-      collectTimes(list.sublist(each.first), times);
-    } else if (list.isType<std::string>(each.first)) {
-      auto const found = timesComparedIn(list.get<std::string>(each.first));
-      times.insert(times.end(), found.begin(), found.end());
-    }
-  }
-}
-} // namespace
-
-SkippedTimes::SkippedTimes(ParameterList const& deck)
+SkippedTimes::SkippedTimes(ParameterList const& deck, std::vector<std::array<double, 3>> places,
+                           RCP<const Communicator> communicator)
+    : places_(std::move(places))
+    , communicator_(std::move(communicator))
 {
   for (auto const* part : {"Boundary Conditions", "Bulk", "Friction"}) { // whatever loads
-    collectTimes(deck.sublist(part), times_);
+    collect(deck.sublist(part), joinPath("Asperity", part));
   }
   std::sort(times_.begin(), times_.end());
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
 }
 
+void SkippedTimes::collect(ParameterList const& list, std::string const& path)
+{
+  for (auto const& each : list) {
+    auto const name = joinPath(path, each.first);
+    if (list.isSublist(each.first)) {
+      collect(list.sublist(each.first), name);
+    } else if (list.isType<std::string>(each.first)) {
+      auto const& text = list.get<std::string>(each.first);
+      auto const compared = timesComparedIn(text);
+      times_.insert(times_.end(), compared.begin(), compared.end());
+      std::shared_ptr<const Expression> load;
+      for (const double centre : timesShiftedIn(text)) {
+        load = load ? load : std::make_shared<const Expression>(text, name);
+        pulses_.push_back({centre, load, name});
+      }
+    }
+  }
+}
+
 std::optional<Warning> SkippedTimes::note(double begin, double end)
 {
-  auto const first = std::upper_bound(times_.begin(), times_.end(), begin);
-  auto const behind = std::upper_bound(first, times_.end(), end);
-  if (has_warned_ || behind - first < 2) {
+  if (has_warned_) {
     return std::nullopt;
   }
-  has_warned_ = true;
-  return Warning{"loads between two steps",
-                 "The step from t = " + formatShort(begin) + " s to " + formatShort(end) +
-                   " s passes " + formatShort(*first) + " s and " + formatShort(*(behind - 1)) +
-                   " s, with which expressions of the deck compare t. What loads do between these "
-                   "times is not seen. Name them in 'Time Stepping / Instants'."};
+  auto const warn = [&](std::string const& what) {
+    has_warned_ = true;
+    return Warning{"loads between two steps", "The step from t = " + formatShort(begin) + " s to " +
+                                                formatShort(end) + " s passes " + what};
+  };
+  auto const first = std::upper_bound(times_.begin(), times_.end(), begin);
+  auto const behind = std::upper_bound(first, times_.end(), end);
+  if (behind - first >= 2) {
+    return warn(formatShort(*first) + " s and " + formatShort(*(behind - 1)) +
+                " s, with which expressions of the deck compare t. What loads do between these "
+                "times is not seen. Name them in 'Time Stepping / Instants'.");
+  }
+  for (auto const& pulse : pulses_) {
+    if (begin < pulse.centre && pulse.centre < end && isPassed(pulse, begin, end)) {
+      return warn(formatShort(pulse.centre) + " s, where " + pulse.path +
+                  " has a pulse that the ends of the step do not see. Name times before, in and "
+                  "after it in 'Time Stepping / Instants'.");
+    }
+  }
+  return std::nullopt;
+}
+
+// Values between those at the ends are seen in part; what lies outside by a tenth is a pulse.
+bool SkippedTimes::isPassed(Pulse const& pulse, double begin, double end) const
+{
+  double largest = 0, outside = 0;
+  for (auto const& place : places_) {
+    const double at_begin = (*pulse.load)(place, begin), at_end = (*pulse.load)(place, end);
+    const double inside = (*pulse.load)(place, pulse.centre);
+    auto const [low, high] = std::minmax(at_begin, at_end);
+    largest = std::max({largest, std::abs(low), std::abs(high), std::abs(inside)});
+    outside = std::max({outside, inside - high, low - inside});
+  }
+  constexpr double share = 0.1;
+  return maxOverRanks(outside, *communicator_) > share * maxOverRanks(largest, *communicator_);
 }
 } // namespace asperity::scenario

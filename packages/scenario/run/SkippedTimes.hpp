@@ -1,27 +1,46 @@
 #pragma once
 
+#include "base/Types.hpp"
 #include "base/Warning.hpp"
 #include "parameters/Parameters.hpp"
+#include "parameters/fields/Expression.hpp"
 
+#include <array>
+#include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace asperity::scenario
 {
-// Notes steps that pass two times with which expressions of the deck compare t: what those say
-// between the two, as a push of ten seconds in a step of a day, is in no step, and no error
-// estimate knows of it.
+// Notes steps that pass a pulse of a load, of which no error estimate knows: as a push of ten
+// seconds in a step of a day. Two kinds are found: a step passes two times with which expressions
+// of the deck compare t (timesComparedIn), or a time around which an expression is centred
+// (timesShiftedIn) and at which it is outside the range of its values at both ends of the step.
 class SkippedTimes
 {
 public:
-  // deck: complete, its names replaced.
-  explicit SkippedTimes(ParameterList const& deck);
+  // deck: complete, its names replaced. places: this rank's, at which expressions are looked at.
+  SkippedTimes(ParameterList const& deck, std::vector<std::array<double, 3>> places,
+               RCP<const Communicator> communicator);
 
-  // A warning of the first such step, from `begin` to `end` [s].
+  // A warning of the first such step, from `begin` to `end` [s]. Collective.
   std::optional<Warning> note(double begin, double end);
 
 private:
+  struct Pulse
+  {
+    double centre; // [s]
+    std::shared_ptr<const Expression> load;
+    std::string path;
+  };
+  void collect(ParameterList const& list, std::string const& path);
+  bool isPassed(Pulse const& pulse, double begin, double end) const;
+
   std::vector<double> times_; // [s], ascending
+  std::vector<Pulse> pulses_;
+  std::vector<std::array<double, 3>> places_;
+  RCP<const Communicator> communicator_;
   bool has_warned_ = false;
 };
 } // namespace asperity::scenario

@@ -1,5 +1,6 @@
 #include "parameters/fields/Field.hpp"
 
+#include "parameters/fields/TimesInFormula.hpp"
 #include "unit/base/Refusal.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
 
@@ -223,15 +224,25 @@ void writeDataset(std::string const& file_name, std::string const& name,
   H5Fclose(file);
 }
 
-TEST(Expression, TellsTheTimesWithWhichItComparesT)
+TEST(TimesInFormula, AreThoseWithWhichItComparesT)
 {
   using Times = std::vector<double>;
   EXPECT_EQ(timesComparedIn("t > 3000 && t < 3010 ? 4e-4 : 1e-9"), (Times{3000, 3010}));
   EXPECT_EQ(timesComparedIn("(2 * (3 + 4) <= t) * x"), (Times{14}));
   EXPECT_EQ(timesComparedIn("if(t>=1e3, max(t < -5, 0), y < 7 || t < pi * x)"), (Times{1e3, -5}));
-  EXPECT_EQ(timesComparedIn("2 * t > 6 || t - 3 > 0 || t == 4 || (t) < 2"), Times{});
+  EXPECT_EQ(timesComparedIn("t - 3 > 2 && (t) < 6 && 5 - t < 1 && 1 + t > 8"), (Times{5, 6, 4, 7}));
+  EXPECT_EQ(timesComparedIn("abs(t - 20) < 15 || 3 >= abs(10 - t)"), (Times{5, 35, 13, 7}));
+  EXPECT_EQ(timesComparedIn("2 * t > 6 || t - x > 0 || t == 4 || abs(t - 5) + 1 < 3"), Times{});
   EXPECT_EQ(timesComparedIn("3"), Times{});
   EXPECT_EQ(timesComparedIn("t < "), Times{});
+}
+
+TEST(TimesInFormula, AreThoseOfPulses)
+{
+  using Times = std::vector<double>;
+  EXPECT_EQ(timesShiftedIn("exp(-((t - 5.3e6) / 10)^2) / (10 * sqrt(pi))"), Times{5.3e6});
+  EXPECT_EQ(timesShiftedIn("max(0, 1 - abs(60 - t) / 5) + x * sin(t + 2 * 3)"), (Times{60, -6}));
+  EXPECT_EQ(timesShiftedIn("sin(2 * pi * t) + t * (x - t) + 2 * t - 3 + tanh(t)"), Times{});
 }
 
 TEST(FieldDataset, ValuesByGlobalId)
