@@ -249,6 +249,10 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
                   : FaultScales();
   auto const questions = dynamics::questionValues(beside);
   warnings.insert(warnings.end(), questions.begin(), questions.end());
+  if (bearsFriction(friction)) {
+    auto const of_friction = questionFriction(friction, nodes, *communicator);
+    warnings.insert(warnings.end(), of_friction.begin(), of_friction.end());
+  }
   warnings.insert(warnings.end(), stress.warnings.begin(), stress.warnings.end());
   if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {
     warnings.push_back(*warning);

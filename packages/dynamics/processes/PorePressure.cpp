@@ -212,9 +212,9 @@ Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
     .field("Initial Pressure", 0., "Pa", Range::any(),
            "The fluid starts with this pressure. Where the normal stress of the deck is effective, "
            "it is 0, and pressures are those above the undisturbed one.")
-    .field("Permeability", optional, "m^2", Range::positive(),
+    .field("Permeability", optional, "m^2", Range::openClosed(0, 1e-3), // an open crack of 0.1 m
            "The fault has this permeability along itself.")
-    .hint("Fault zones have 1e-20 to 1e-12 m^2.")
+    .hint("Fault zones have 1e-20 to 1e-12 m^2; a millidarcy is 1e-15 m^2.")
     .field("Storage", optional, "1/Pa", Range::positive(),
            "The fault takes up this share of its volume as fluid per pressure: the compressibility "
            "of pores and fluid times the porosity.")

@@ -423,7 +423,9 @@ class Physics(Case):
     def test_questionable_units(self):
         for change, topic in (("Bulk/Density=1", "Bulk / Density is 1 kg/m^3"),
                               ("Bulk/Shear Modulus=32", "The shear modulus is 32 Pa"),
-                              ("Friction/Normal Stress=0.05", "normal stress at the start, 0.05")):
+                              ("Friction/Normal Stress=0.05", "normal stress at the start, 0.05"),
+                              ("Friction/Reference Friction Coefficient=35",
+                               "Reference Friction Coefficient is 35 or more")):
             with self.subTest(change):
                 result = asperity_run.run(DECK, *settings(change), "--validate")
                 self.assertEqual(result.returncode, 0, result.stderr)

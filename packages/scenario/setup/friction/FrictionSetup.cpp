@@ -1,10 +1,13 @@
 #include "scenario/setup/friction/FrictionSetup.hpp"
 
+#include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "dynamics/processes/RegularisedStress.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace asperity::scenario
@@ -169,6 +172,38 @@ std::shared_ptr<const dynamics::FaultProcess> regularisation(ParameterList const
   return dynamics::makeRegularisedStress(surface, scales, before);
 }
 } // namespace
+
+std::vector<Warning> questionFriction(ParameterList const& list, FieldNodes const& nodes,
+                                      Communicator const& communicator)
+{
+  // Rubber on a rough surface has 2 to 4. Barriers may have any, so that the smallest counts.
+  constexpr double largest_coefficient = 5;
+  // Projectiles that strike rock.
+  constexpr double largest_rate = 1000; // m/s
+  const auto question = [&](char const* name, char const* unit, double largest,
+                            char const* advice) -> std::vector<Warning> {
+    if (!isGiven(list, name)) {
+      return {};
+    }
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const double value : nodalValues(list, name, friction_path, nodes)) {
+      smallest = std::min(smallest, value);
+    }
+    smallest = minOverRanks(smallest, communicator);
+    if (!(smallest > largest) || smallest == std::numeric_limits<double>::infinity()) {
+      return {};
+    }
+    return {{"friction coefficient", joinPath(friction_path, name) + " is " +
+                                       formatShort(smallest) + unit +
+                                       " or more everywhere on the fault. " + advice}};
+  };
+  auto warnings = question("Reference Friction Coefficient", "", largest_coefficient,
+                           "It is the tangent of an angle, not an angle.");
+  auto const of_rate =
+    question("Reference Slip Rate", " m/s", largest_rate, "It is a slip rate in m/s.");
+  warnings.insert(warnings.end(), of_rate.begin(), of_rate.end());
+  return warnings;
+}
 
 dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
                           std::shared_ptr<const fem::FaultSurface> const& surface,

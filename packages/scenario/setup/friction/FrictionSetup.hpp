@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "dynamics/fault/Fault.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -14,6 +15,11 @@ dynamics::NormalStressChange normalStressChange(ParameterList const& list);
 double normalStressFloor(ParameterList const& list);
 // Whether friction follows the compression that the body exerts without a delay of its own.
 bool followsAtOnce(ParameterList const& list);
+
+// Warnings about a friction coefficient and a reference slip rate that no material has anywhere on
+// the fault. Collective.
+std::vector<Warning> questionFriction(ParameterList const& list, FieldNodes const& nodes,
+                                      Communicator const& communicator);
 
 // Makes the fault: the laws of the list with their parameters at the nodes, which are those of the
 // surface and of its mesh, and the normal stress with the list's Normal Stress Change and Floor.
