@@ -143,6 +143,27 @@ std::vector<bool> canSlip(std::vector<double> const& strength, std::vector<doubl
 }
 
 template <int Dim>
+double highestCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+{
+  auto const sizes = cellSizes(mesh, surface);
+  double weight = 0;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    weight += surface[node].weight;
+  }
+  auto const& comm = *surface.communicator();
+  const double measure = sumOverRanks(weight, comm);
+  const double extent = Dim == 2 ? measure : std::sqrt(measure);
+  constexpr double few_facets = 5;
+  double highest = 0;
+  for (auto const& at_node : sizes) {
+    if (few_facets * at_node.largest < extent) {
+      highest = std::max(highest, at_node.height);
+    }
+  }
+  return maxOverRanks(highest, comm);
+}
+
+template <int Dim>
 std::vector<double> largerCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
   std::vector<double> result;
@@ -244,6 +265,7 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
   template std::vector<double> largerCells(Mesh<DIM> const&, fem::FaultSurface const&);            \
+  template double highestCells(Mesh<DIM> const&, fem::FaultSurface const&);                        \
   template std::optional<FaultResolution> faultResolution(                                         \
     Mesh<DIM> const&, fem::FaultSurface const&, int, std::vector<fem::Material> const&,            \
     FrictionOfNodes const&);

@@ -66,6 +66,11 @@ std::vector<bool> canSlip(std::vector<double> const& strength, std::vector<doubl
 template <int Dim>
 std::vector<double> largerCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
 
+// The largest height of a cell beside the fault over the length of its facet. Facets longer than a
+// fifth of the fault do not count: it is one that slips as a whole. Collective.
+template <int Dim>
+double highestCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
+
 // L [m] where friction weakens with the slip rate and the node can slip, 0 elsewhere (num_nodes);
 // with slip weakening 0 everywhere.
 std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction);

@@ -161,6 +161,26 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
   return lines;
 }
 
+template <int Dim>
+std::optional<Warning> warnOfCellShape(Problem<Dim> const& problem)
+{
+  constexpr double too_high = 4;
+  auto const& surface = *problem.surface;
+  const double height =
+    surface.numGlobalNodes() > 0 ? dynamics::highestCells(problem.mesh, surface) : 0;
+  if (height <= too_high) {
+    return std::nullopt;
+  }
+  return Warning{"shape of cells",
+                 "Cells beside the fault are up to " + rounded(height) +
+                   " times as high as they are long. Slip that varies along the fault by less "
+                   "than their height meets far too much stiffness. Take cells that are at most as "
+                   "high as long there."};
+}
+
+template std::optional<Warning> warnOfCellShape(Problem<2> const&);
+template std::optional<Warning> warnOfCellShape(Problem<3> const&);
+
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law)
 {

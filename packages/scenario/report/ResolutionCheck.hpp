@@ -24,6 +24,11 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law);
 
+// Of cells beside a fault that are far higher than long, whether it has friction or known slip.
+// Collective.
+template <int Dim>
+std::optional<Warning> warnOfCellShape(Problem<Dim> const& problem);
+
 // Lines for the log about places that cannot slip and about the front of slip to expect.
 std::vector<std::string> describeScales(FaultScales const& scales);
 

@@ -149,6 +149,9 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   lines.insert(lines.end(), sense.begin(), sense.end());
   const auto of_text = warnOfText(problem, deck);
   description.warnings.insert(description.warnings.end(), of_text.begin(), of_text.end());
+  if (auto const of_shape = warnOfCellShape(problem)) {
+    description.warnings.push_back(*of_shape);
+  }
   lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
   if (auto const& resolution = problem.scales.resolution) {
     auto const state_law = friction.get<std::string>("State Evolution");

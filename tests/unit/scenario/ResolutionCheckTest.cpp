@@ -266,6 +266,22 @@ TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
 
 // Cubes, and bricks 0.577 and 0.3 times as high, cut to and fro, with 12 cells for a wave, by an
 // independent computation: 9.9, 3.4 and 1.4 % along, 2.0, -0.2 and -0.9 % across.
+TEST(ResolutionCheck, WarnsOfCellsFarHigherThanLong)
+{
+  const auto warned = [](int columns, double width) {
+    const auto problem = makeProblem<2>(completeDeck([&](ParameterList& deck) {
+                                          auto& size = deck.sublist("Mesh").sublist("Rectangle");
+                                          size.set("Width", width).set("Height", 2.);
+                                          size.set("Cells X", columns).set("Cells Y", 2);
+                                        }),
+                                        world());
+    return warnOfCellShape(problem).has_value();
+  };
+  EXPECT_FALSE(warned(8, 2));   // 1 m high, 0.25 m long
+  EXPECT_TRUE(warned(10, 2));   // 0.2 m long
+  EXPECT_FALSE(warned(4, 0.4)); // 0.1 m long, and so is a quarter of the fault
+}
+
 TEST(ResolutionCheck, KnowsHowStiffBricksAre)
 {
   const auto expect = [](double height, double along, double across) {
