@@ -73,7 +73,8 @@ void OutputSet::declare(Teuchos::ParameterList& list)
                        "This vector points up in three dimensions; strike and dip of the fault "
                        "follow from it. Its length has no effect. If it is left out, up is the "
                        "axis that is nearest to the outward normal of the Free Surface; against "
-                       "Gravity Direction if there is none; +y without both.");
+                       "Gravity Direction if there is none; without both, if gravity acts, where "
+                       "the boundaries face that nothing holds; else +y.");
   declareTextFormat(parameters);
 }
 

@@ -10,9 +10,11 @@
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
+#include "scenario/setup/conditions/TractionCondition.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace asperity::scenario
@@ -31,6 +33,25 @@ void requireGlobalIds(Mesh<Dim> const& mesh, int components)
                                       "mesh, or a Trilinos with global ids of type long long.");
 }
 
+// The boundaries that no condition holds or damps: those without one, and those under a traction.
+template <int Dim>
+FreeSurface openBoundaries(ParameterList const& list, Mesh<Dim> const& mesh,
+                           Communicator const& communicator)
+{
+  std::set<std::string> not_open(mesh.faults.begin(), mesh.faults.end());
+  for (auto const& condition : readConditions(list)) {
+    if (condition.type->name != traction_type) {
+      not_open.insert(condition.boundary);
+    }
+  }
+  std::vector<std::string> open;
+  for (auto const& entry : mesh.boundaries) {
+    if (not_open.count(entry.first) == 0) {
+      open.push_back(entry.first);
+    }
+  }
+  return {open, fem::integrateNormal(mesh, open, communicator)};
+}
 } // namespace
 
 template <int Dim>
@@ -51,6 +72,9 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh, *communicator);
+  auto const all = readConditions(conditions);
+  requireOwnFacets(all, mesh, *communicator);
+  requirePlaneOfMirror(all, mesh, *communicator);
   requireFreeFault(boundary, mesh, components, *communicator);
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
@@ -66,7 +90,8 @@ Discretisation<Dim> discretise(ParameterList const& deck,
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
   auto upright = uprightOf(
     deck, Dim,
-    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)});
+    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)},
+    openBoundaries(conditions, mesh, *communicator));
   return {std::move(boundary), std::move(mesh),    dofs,    constraints,
           std::move(rock),     std::move(patches), samples, std::move(upright)};
 }

@@ -27,6 +27,7 @@
 #include "scenario/setup/FaultNodes.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/StressAtStart.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/VolumetricSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
@@ -254,6 +255,16 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
     warnings.insert(warnings.end(), of_friction.begin(), of_friction.end());
   }
   warnings.insert(warnings.end(), stress.warnings.begin(), stress.warnings.end());
+  // A static displacement has stress of its own.
+  if (of.rock.yielding && !(start.displacement->normInf() > 0)) {
+    if (auto const warning =
+          warnOfStressAtStart(deck, of.mesh, *of.rock.yielding, nodes, *surface, traction.at(0))) {
+      warnings.push_back(*warning);
+    }
+  }
+  if (auto const warning = warnOfUp(bulk, Dim, of.upright)) {
+    warnings.push_back(*warning);
+  }
   if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {
     warnings.push_back(*warning);
   }

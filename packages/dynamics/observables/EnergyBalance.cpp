@@ -228,6 +228,8 @@ void EnergyBalance::start(State const& state)
   resume(state, {});
   if (body_.matrices.is_massless) {
     noteImbalance();
+  } else {
+    noteContradiction();
   }
 }
 
@@ -251,10 +253,40 @@ void EnergyBalance::noteImbalance()
                               std::sqrt(ratio(std::max(everywhere - on_fault, 0.), whole * whole)));
 }
 
+void EnergyBalance::noteContradiction()
+{
+  auto const driving = body_.vector();
+  driving->update(1, *before_.load, 0);
+  before_.resisting.subtractFrom(*driving);
+  driving->update(1, *before_.resisting.inertial, 1);
+
+  constexpr double least_part = 0.01;
+  auto const& surface = fault_.surface();
+  auto const drives = driving->getData(0), resists = before_.force->getData(0);
+  std::array<double, 2> area{}; // where friction acts with what drives the fault, and all of it
+  for (int i = 0; i < surface.numNodes(); ++i) {
+    if (!surface.slides(i)) {
+      continue;
+    }
+    double product = 0, square = 0;
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      const int dof = surface[i].dofs[k];
+      if (!surface.held(i, k)) {
+        product += drives[dof] * resists[dof];
+        square += resists[dof] * resists[dof];
+      }
+    }
+    area[0] += product < -least_part * square ? surface[i].weight : 0;
+    area[1] += surface[i].weight;
+  }
+  area = sumOverRanks(area, *body_.dofs->communicator());
+  start_contradiction_ = area[0] > 0 ? area[0] / area[1] : 0;
+}
+
 void EnergyBalance::resume(State const& state, Energy const& so_far)
 {
   start_residual_ = Teuchos::null;
-  start_imbalance_ = 0;
+  start_imbalance_ = start_contradiction_ = 0;
   fill(state, before_);
   energy_ = so_far;
   energy_.kinetic = before_.kinetic;

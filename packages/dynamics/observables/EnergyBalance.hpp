@@ -68,6 +68,10 @@ public:
   // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and after
   // resume().
   double startImbalance() const { return start_imbalance_; }
+  // The part of the fault's sliding area, in [0, 1], where friction at the start of a body with
+  // inertia acts in the direction of the forces that drive the fault, l - C v - K u, by more than a
+  // hundredth of its size, rather than against them; 0 for others, and after resume().
+  double startContradiction() const { return start_contradiction_; }
   // Adds the step that ends in the given state. Collective.
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
@@ -95,6 +99,7 @@ private:
   };
   Snapshot snapshot() const;
   void noteImbalance();
+  void noteContradiction();
   void fill(State const& state, Snapshot& result);
   void fillForce(State const& state, Snapshot const& at);
   Works worksOfStep() const;
@@ -107,7 +112,7 @@ private:
   Snapshot before_, after_;
   RCP<Vector> momentum_;
   RCP<Vector> start_residual_; // r0, until the first step is made; null if there is none
-  double start_imbalance_ = 0;
+  double start_imbalance_ = 0, start_contradiction_ = 0;
   ConstNodeView eta_;      // (num_nodes) radiation damping [Pa s/m], or nothing
   BlockView w_, gradient_; // w of gatherSlip, and the friction forces at it
   HessianView hessian_;

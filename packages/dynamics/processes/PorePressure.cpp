@@ -9,14 +9,17 @@
 // of sigma, which count from the step after.
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/processes/DiffusionStep.hpp"
 #include "dynamics/processes/EffectiveStress.hpp"
 #include "dynamics/processes/Permeability.hpp"
 #include "dynamics/processes/Wells.hpp"
+#include "parameters/ParameterValue.hpp"
 #include "parameters/Parameters.hpp"
 
+#include <algorithm>
 #include <optional>
 
 namespace asperity::dynamics
@@ -95,6 +98,7 @@ public:
         is_fixed_.push_back(fixed[i] > 0);
       }
     });
+    requireFixedNodes(parameters, context.path);
     if (!permeability_->changes()) {
       diffusion_ = with(permeability);
     }
@@ -153,6 +157,19 @@ private:
                        joinPath(path, name) << " is missing: with Enabled = true it has to be "
                                                "given.");
     }
+  }
+
+  // The number 0, which is the default, says that there are none.
+  void requireFixedNodes(Teuchos::ParameterList const& parameters, std::string const& path) const
+  {
+    const auto fixed = std::count(is_fixed_.begin(), is_fixed_.end(), true);
+    const bool are_there = sumOverRanks(static_cast<std::int64_t>(fixed), *communicator_) > 0;
+    ASPERITY_REQUIRE(are_there || numberIn(parameters.getEntry("Fixed Where")),
+                     joinPath(path, "Fixed Where")
+                       << " = " << valueText(parameters.getEntry("Fixed Where"))
+                       << " is above zero at no node of the fault, whose edges would all be shut. "
+                          "Check its numbers against the places of the fault, allow for rounding "
+                          "(abs(y + 40e3) < 1), or give 0.");
   }
 
   std::shared_ptr<DiffusionStep> with(NodalValues c) const // the permeability

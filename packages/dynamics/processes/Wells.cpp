@@ -62,11 +62,13 @@ Wells::Wells(Teuchos::ParameterList const& list, std::string const& path,
     ASPERITY_REQUIRE(!rate.isDataset(), joinPath(where, "Rate")
                                           << " names a dataset, but a well has one place. Give a "
                                              "number or an expression in t.");
+    constexpr double reach = 0.01; // of a cell, as for receivers
     auto nearest = mesh.nearest(place);
-    ASPERITY_REQUIRE(nearest.distance <= nearest.cell_size,
+    ASPERITY_REQUIRE(nearest.distance <= reach * nearest.cell_size,
                      where << " is at " << textOf(place, dimension) << ", " << nearest.distance
                            << " m from the fault, whose cells have a size of " << nearest.cell_size
-                           << " m there. Move the well onto the fault.");
+                           << " m there; at most " << reach
+                           << " of that is allowed. Move the well onto the fault.");
     wells_.push_back(
       std::make_unique<Well>(Well{place, std::move(rate), std::move(nearest.shares)}));
   }

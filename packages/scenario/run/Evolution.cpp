@@ -15,6 +15,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -113,6 +114,8 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   view_.balance = &balance_;
 }
 
+// An overstressed patch, or one that starts to slip against the load, is smaller.
+constexpr double largest_contradiction = 0.5;
 // Share of the forces at the start. The tolerance of solvers and the rounded numbers of a deck
 // leave less; a state of one run under the loads of another, or a traction in other units, leaves
 // far more.
@@ -132,6 +135,16 @@ void Evolution<Dim>::beginBalance()
          " is usual). A quasi-dynamic body has no inertia, so that velocities and stresses jump in "
          "the first step, however small it is. Check Friction / Shear Traction, whose unit is Pa, "
          "or choose Initial State / State = Stress Balance."});
+  }
+  const double contradiction = balance_.startContradiction();
+  if (contradiction > largest_contradiction) {
+    warnings_.push_back(
+      {"friction at the start",
+       "At the start friction acts with the load instead of against it over " +
+         formatShort(std::round(1000 * contradiction) / 10) +
+         " % of the fault, which slips against its shear traction: the traction changes its sign "
+         "in the first step, and the jump sets off waves. Check the signs of Friction / Shear "
+         "Traction and of the velocity or slip rate under Initial State."});
   }
 }
 

@@ -17,6 +17,7 @@
 #include "scenario/Fingerprint.hpp"
 #include "scenario/LockedFields.hpp"
 #include "scenario/OutputFields.hpp"
+#include "scenario/deck/Coordinates.hpp"
 #include "scenario/report/RunReport.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
@@ -388,6 +389,7 @@ std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
     if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
       return std::make_unique<SimulationOf<3>>(deck, command_line, communicator);
     }
+    refuseZ(*deck);
     return std::make_unique<SimulationOf<2>>(deck, command_line, communicator);
   } catch (SolveError const& error) {
     throw InputError(std::string("The state at the start cannot be computed. ") + error.what() +

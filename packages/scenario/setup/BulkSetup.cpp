@@ -71,7 +71,8 @@ RCP<const ParameterList> bulkParameters()
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect. If it is left out, gravity points down: "
                "against Output / Up or, without that, against the axis that is nearest to the "
-               "outward normal of the Free Surface; along -y if the deck has neither.");
+               "outward normal of the Free Surface or, in space, of what nothing holds; else along "
+               "-y.");
   declareVolumetricStrain(declare);
   declareChoice(
     declare, bulk_entries::law, "Kelvin-Voigt", fem::bulkLaws(),

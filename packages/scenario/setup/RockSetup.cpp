@@ -177,6 +177,25 @@ CellPlace placeOf(Mesh<Dim> const& mesh, std::size_t cell)
   return {number, inSpace<Dim>(fem::simplexOf(mesh, number).centroid), mesh.cell_regions[cell]};
 }
 
+// Where all rock is elastic or viscous, its stress counts from the start.
+void refuseStressAtStart(ParameterList const& list)
+{
+  if (!hasGivenEntry(list.sublist(StressAtStart::list_name))) {
+    return;
+  }
+  std::vector<std::string> laws;
+  for (auto const& name : fem::bulkLaws().names()) {
+    if (fem::bulkLaws().at(name).yield) {
+      laws.push_back(name);
+    }
+  }
+  throw InputError(joinPath(bulk_path, StressAtStart::list_name) +
+                   " has no effect: no cell has a Law that asks for it, " +
+                   quotedAlternatives(laws) +
+                   ". The stress on the fault is that of Friction / Shear Traction and Friction / "
+                   "Normal Stress. Remove the list, or choose such a Law.");
+}
+
 // None if no rank has a cell that yields.
 template <int Dim>
 std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Dim> const& mesh,
@@ -192,6 +211,7 @@ std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Di
     }
   }
   if (sumOverRanks(num_cells, communicator) == 0) {
+    refuseStressAtStart(list);
     return std::nullopt;
   }
   const int components = displacementComponents(list);

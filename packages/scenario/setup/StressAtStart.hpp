@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/Warning.hpp"
+#include "fem/FaultSurface.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -34,4 +36,16 @@ public:
 private:
   std::vector<std::optional<CellField>> fields_; // of the components that are given
 };
+
+// A warning where the traction -sigma n of the rock beside the fault, by the deck's
+// `Initial Stress`, differs by more than 1 % from the deck's `Shear Traction`(num_nodes, T) [Pa] or
+// `Normal Stress` over more than half of where the fault slides beside rock that takes that stress;
+// an overstressed patch is smaller. Both are evaluated at the nodes, so that they agree to rounding
+// however coarse the mesh is. The normal stress counts if both lists give it. nodes: those of the
+// surface. Collective.
+template <int Dim>
+std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> const& mesh,
+                                           fem::YieldingRock const& rock, FieldNodes const& nodes,
+                                           fem::FaultSurface const& surface,
+                                           std::vector<double> const& shear_traction);
 } // namespace asperity::scenario

@@ -16,10 +16,11 @@ namespace
 {
 using Direction = std::array<double, 3>;
 
-constexpr double near_axis = 0.766; // cosine of 40 degrees
-constexpr double agreement = 0.5;   // cosine of 60 degrees, more than any slope
-constexpr double tilt = 0.866;      // cosine of 30 degrees, of gravity in a tilted sandbox
-constexpr double faces = 0.5;       // part of a surface's measure that its normal has to have
+constexpr double near_axis = 0.766;   // cosine of 40 degrees
+constexpr double agreement = 0.5;     // cosine of 60 degrees, more than any slope
+constexpr double tilt = 0.866;        // cosine of 30 degrees, of gravity in a tilted sandbox
+constexpr double faces = 0.5;         // part of a surface's measure that its normal has to have
+constexpr double faces_one_way = 0.9; // the same of boundaries that are not named as the surface
 
 double length(Direction const& v) { return std::sqrt(mesh::dot<3>(v, v)); }
 
@@ -80,6 +81,13 @@ std::string entryText(Direction const& v, int dimension)
   return text + "}";
 }
 
+// The outward normal, if it has this part of the surface's measure.
+std::optional<Direction> facing(FreeSurface const& surface, double part)
+{
+  auto const& [normal, measure] = surface.normal;
+  return length(normal) > part * measure ? unit(normal) : std::nullopt;
+}
+
 std::string degreesBetween(Direction const& a, Direction const& b)
 {
   const double cosine = std::max(-1., std::min(1., mesh::dot<3>(a, b)));
@@ -93,16 +101,15 @@ bool isLeftOut(ParameterList const& list, std::string const& name)
   return entry == nullptr || entry->isDefault(); // as completeDirections() writes it
 }
 
-Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface)
+Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
+                  FreeSurface const& open)
 {
   auto const& bulk = deck.sublist("Bulk");
   auto const names = quotedNames(surface.boundaries);
   const bool has_gravity = bulk.get<double>("Gravitational Acceleration") > 0;
   auto const up = dimension == 3 ? given(deck.sublist("Output"), "Up") : std::nullopt;
   auto const down = has_gravity ? given(bulk, "Gravity Direction") : std::nullopt;
-  auto const outward = length(surface.normal.normal) > faces * surface.normal.measure
-                         ? unit(surface.normal.normal)
-                         : std::nullopt;
+  auto const outward = facing(surface, faces);
   const std::string entry_up = "Asperity / Output / Up",
                     entry_down = "Asperity / Bulk / Gravity Direction";
   if (outward && up) {
@@ -134,20 +141,39 @@ Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& s
                                 << " from the opposite of it (at most 30 are allowed). Leave one "
                                    "of them out: it then follows from the other.");
   }
+  auto const of_open = dimension == 3 && has_gravity ? facing(open, faces_one_way) : std::nullopt;
   Upright result;
-  result.is_known = up || outward || down;
+  result.is_known = up || outward || down || of_open;
   if (up) {
     result.up = *up;
     result.reason = "as Output / Up says";
   } else if (outward) {
     result.up = snapped(*outward);
     result.reason = "where the free surface " + names + " faces";
+  } else if (down) {
+    result.up = snapped(opposite(*down));
+    result.reason = "against gravity";
+  } else if (of_open) {
+    result.up = snapped(*of_open);
+    result.reason = "where " + quotedNames(open.boundaries) + " faces, which nothing holds";
   } else {
-    result.up = down ? snapped(opposite(*down)) : result.up;
-    result.reason = down ? "against gravity" : "by default";
+    result.reason = "by default";
   }
   result.down = down ? *down : opposite(result.up);
   return result;
+}
+
+std::optional<Warning> warnOfUp(ParameterList const& bulk, int dimension, Upright const& upright)
+{
+  const bool acts = bulk.get<double>("Gravitational Acceleration") > 0;
+  if (dimension < 3 || !acts || upright.is_known) {
+    return std::nullopt;
+  }
+  return Warning{
+    "direction of up",
+    "Gravity acts, and nothing says which way is up: it is taken as " + entryText(upright.up, 3) +
+      ". Elsewhere the weight of the rock would act along its surface. Give the surface the Type "
+      "Free Surface, or give Bulk / Gravity Direction or Output / Up."};
 }
 
 ParameterList& completeDirections(ParameterList& deck, int dimension, Upright const& upright)

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "parameters/Parameters.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +17,10 @@ struct Upright
   std::array<double, 3> up{0, 1, 0};    // unit vector along the axes
   std::array<double, 3> down{0, -1, 0}; // unit vector: gravity, which may be inclined to `up`
   std::string reason;                   // for the log, e.g. "to which the free surface 'top' faces"
-  bool is_known = false;                // by the deck or by a free surface, or +y by default
+  bool is_known = false;                // by the deck or by a surface, or +y by default
 };
 
-// The free surface of a deck: its boundaries, and the integral of their outward normal.
+// A surface of the body: its boundaries, and the integral of their outward normal.
 struct FreeSurface
 {
   std::vector<std::string> boundaries;
@@ -31,9 +33,15 @@ bool isLeftOut(ParameterList const& list, std::string const& name);
 // Up is the deck's `Output / Up`, in three dimensions. Without it, it is the axis that is nearest
 // to the outward normal of the free surface, or that normal itself if it is more than 40 degrees
 // from all axes; without a free surface that faces somewhere, the same of the vector against
-// gravity, if the deck gives its direction; or else +y. Throws InputError where two of free
-// surface, gravity and `Up` contradict each other.
-Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface);
+// gravity, if the deck gives its direction; or else, in three dimensions where gravity acts, the
+// same of the boundaries that nothing holds, if they face one way: `open`, those without a condition
+// or under a traction. Otherwise it is +y. Throws InputError where two of free surface, gravity and
+// `Up` contradict each other.
+Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
+                  FreeSurface const& open = {});
+
+// A warning where gravity acts in three dimensions and nothing says which way is up.
+std::optional<Warning> warnOfUp(ParameterList const& bulk, int dimension, Upright const& upright);
 
 // Sets `Output / Up` and `Bulk / Gravity Direction`, which points down, where the deck leaves them
 // out, so that whoever reads the deck of a run finds them. Returns the deck.

@@ -8,6 +8,7 @@ import unittest
 
 import numpy
 
+import bad_input_test
 import mesh_files
 from bad_input_test import DECK, Case, settings
 
@@ -55,6 +56,42 @@ class Conditions(FaultCase):
         self.refuse({**TWO_SIDED, **condition("Deep", "right", "Prescribed Slip Rate",
                                               **{"Slip Rate": 1e-6})},
                     f"{CONDITIONS} / Deep / Boundary = 'right' is no fault inside the body")
+
+    def test_two_that_act_on_the_same_facets(self):
+        """'load' and 'rim' have the facet of 'right' under other names."""
+        sides = {**bad_input_test.SIDES, "load": [[1, 2]], "rim": [[1, 2], [2, 3]]}
+        mesh_files.write("mesh.h5", bad_input_test.CORNERS, ((0, 1, 2), (0, 2, 3)), sides)
+        deck = settings({"Mesh/Type": "File", "Mesh/File/File Name": "mesh.h5"})
+        pressed = condition("Pressed", "load", "Prescribed Traction", Pressure=1e3)
+        pairs = [condition("Other", "right", "Prescribed Traction", Pressure=1e3),
+                 condition("Other", "right", "Absorbing"),
+                 condition("Other", "rim", "Free Surface")]
+        for other in pairs:
+            for ranks in (1, 2):
+                with self.subTest(other, ranks=ranks):
+                    self.assert_refused(
+                        [DECK, *deck, *settings({**pressed, **other})],
+                        f"{CONDITIONS} / Pressed (Prescribed Traction on 'load')",
+                        f"{CONDITIONS} / Other", "have 1 facet in common, one at (1, 0.5) m",
+                        ranks=ranks)
+        for legal in ({**pressed, **condition("Other", "right", "Prescribed Velocity",
+                                              Direction="{0, 1}")},
+                      {**condition("One", "load", "Free Surface"),
+                       **condition("Other", "rim", "Free Surface")},
+                      {"Boundary Conditions/Drive/Velocity": 0,
+                       **condition("One", "load", "Prescribed Velocity", Direction="{1, 0}"),
+                       **condition("Other", "right", "Prescribed Velocity", Direction="{0, 1}")}):
+            self.assert_done(DECK, *deck, *settings(legal), "--validate")
+
+    def test_a_mirror_that_is_bent(self):
+        bent = {"Mesh/Boundaries/corner": "min(x, y) < 1e-6",
+                **condition("Fault", "corner", "Antisymmetric Fault"),
+                "Boundary Conditions/Side/Boundary": "right"}
+        self.refuse(bent, f"{CONDITIONS} / Fault (Antisymmetric Fault): it mirrors the body",
+                    "'corner' is not in one plane: the normal of 8 facets")
+        self.refuse({**condition("Fault", "bottom", "Antisymmetric Fault"),
+                     **condition("Deep", "right", "Prescribed Slip Rate", **{"Slip Rate": 1e-6})},
+                    "'bottom' is not in one plane: the normal of 4 facets")
 
     def test_on_bodies_that_touch(self):
         """The square in two halves, above and below y = 0.5, each with vertices of its own."""

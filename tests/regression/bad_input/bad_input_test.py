@@ -383,6 +383,19 @@ class Failures(Case):
 
 
 class Physics(Case):
+    def test_z_in_the_plane(self):
+        """It would be 0 everywhere."""
+        for change, path in (("Friction/a=0.015 + 1e-3 * min(1, abs(z))", "Friction / a"),
+                             ("Bulk/Density=z < -1 ? 2e3 : 1e3", "Bulk / Density"),
+                             ("Mesh/Boundaries/base=z < 1e-6", "Mesh / Boundaries / base"),
+                             ("Boundary Conditions/Drive/Velocity=mean(z)",
+                              "Boundary Conditions / Drive / Velocity")):
+            self.assert_setting_refused(change, f"Asperity / {path} = ", "depends on z, but a mesh "
+                                        "in the plane has x and y")
+        self.assert_setting_refused({"Names/depth": "-z", "Friction/b": "depth < 1 ? 0.01 : 0"},
+                                    "Asperity / Friction / b = '(-z) < 1 ? 0.01 : 0'")
+        self.assert_done(DECK, *settings("Bulk/Shear Viscosity=x - x + 1"), "--validate")
+
     def test_contradicting_conditions(self):
         side = '"Boundary" type="string" value="left"/>'
         self.assert_deck_refused(TEXT.replace(side, side.replace("left", "bottom")),

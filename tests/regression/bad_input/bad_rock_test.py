@@ -3,6 +3,7 @@
 import pathlib
 import unittest
 
+import asperity_run
 from bad_input_test import DECK, Case, settings
 
 
@@ -44,6 +45,40 @@ class Rock(Case):
                              "Bulk/Initial Stress/XY=3e3 * y")],
             "Asperity / Bulk: at the start the rock at (",
             ", 0.9166666667) bears a shear stress of 2750 Pa, but it yields at 2000 Pa")
+
+    def test_a_stress_at_the_start_that_no_rock_takes(self):
+        stress = settings("Bulk/Initial Stress/XY=3e3")
+        for law in ([], settings("Bulk/Law=Maxwell", "Bulk/Viscosity=1e6")):
+            for ranks in (1, 2):
+                self.assert_refused(
+                    [DECK, *stress, *law], "Asperity / Bulk / Initial Stress has no effect",
+                    "'Drucker-Prager'", "Friction / Shear Traction", ranks=ranks)
+        self.assert_done(DECK, *stress, *settings("Bulk/Law=Von Mises", "Bulk/Shear Strength=1e4"),
+                         "--validate")
+
+    def test_a_stress_that_does_not_fit_that_of_the_fault(self):
+        """A warning where most of the fault bears another stress than the rock beside it."""
+        def warning(fault, rock, ranks=1):
+            deck = settings("Bulk/Law=Von Mises", "Bulk/Shear Strength=1e9",
+                            f"Friction/Shear Traction={fault}",
+                            {f"Bulk/Initial Stress/{name}": value for name, value in rock.items()})
+            result = asperity_run.run(DECK, *deck, "--validate", ranks=ranks)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            return "\n".join(line for line in result.stdout.splitlines()
+                             if "does not fit the stress on the fault" in line)
+
+        for ranks in (1, 2):
+            self.assertIn("over 100 % of it", warning(3e3, {"XY": -3e3, "YY": -1e4}, ranks))
+        self.assertIn("where the rock has a shear traction of -3000 Pa and a normal stress of "
+                      "10000 Pa, and the fault a shear traction of 3000 Pa and a normal stress of "
+                      "10000 Pa", warning(3e3, {"XY": -3e3, "YY": -1e4}))
+        self.assertIn("WARNING", warning(3e3, {"XY": 3e3, "YY": -1e3}))
+        self.assertIn("WARNING", warning(3e3, {"YY": -1e4}))
+        patch = "3e3 * (abs(x - 0.5) < 0.2 ? 2 : 1)"
+        for fault, rock in ((3e3, {"XY": 3e3, "YY": -1e4}), (3e3, {"XY": 3e3}),
+                            ("3e3 * (1 + x^2)", {"XY": "3e3 * (1 + x^2)", "YY": "-1e4"}),
+                            (patch, {"XY": 3e3, "YY": -1e4})):
+            self.assertEqual(warning(fault, rock), "")
 
     def test_a_region_without_a_law(self):
         self.assert_rock_refused({"Viscosity": 1e6},

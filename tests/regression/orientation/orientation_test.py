@@ -85,6 +85,31 @@ class Up(unittest.TestCase):
         expected = 0.25 / 0.75 * 2670 * 9.81 * depth
         numpy.testing.assert_allclose(found[inside], expected[inside], rtol=0.05)
 
+    def test_weight_presses_under_a_loaded_surface(self):
+        """It is not a Free Surface, and the one boundary that nothing holds."""
+        places, found = self.normal_stress("loaded", *self.loaded("Surface"))
+        depth = -places[:, 2]
+        inside = (depth > 2100) & (depth < 5900) & (abs(places[:, 1]) < 1900)
+        expected = 0.25 / 0.75 * (2670 * 9.81 * depth + 1e7)
+        numpy.testing.assert_allclose(found[inside], expected[inside], rtol=0.05)
+
+    @staticmethod
+    def loaded(*conditions):
+        changes = {}
+        for name in conditions:
+            changes[f"Boundary Conditions/{name}/Type"] = "Prescribed Traction"
+            changes[f"Boundary Conditions/{name}/Pressure"] = 1e7
+        return settings(changes)
+
+    def test_a_default_is_a_warning(self):
+        """Two sides under a pressure face two ways."""
+        warning = "WARNING: Gravity acts, and nothing says which way is up: it is taken as {0, 1, 0}"
+        two = self.loaded("Surface", "Left")
+        self.assertIn(warning, "\n".join(lines_of(BURIED, *two)))
+        for silent in ([*two, *self.UPRIGHT], self.loaded("Surface"),
+                       [*two, *settings("Bulk/Gravitational Acceleration=0")]):
+            self.assertNotIn("which way is up", "\n".join(lines_of(BURIED, *silent)))
+
     def test_the_run_keeps_it(self):
         asperity_run.run_to_end("kept", BURIED)
         text = pathlib.Path("kept/parameters.xml").read_text(encoding="utf-8")
@@ -204,6 +229,31 @@ class Tension(unittest.TestCase):
         found = re.search("pulls at 100 % of the fault, most with ([0-9.e+]+) Pa", warning)
         self.assertIsNotNone(found, warning)
         self.assertAlmostEqual(float(found[1]) / 1e4, 1, delta=0.05)
+
+
+class AgainstTheLoad(unittest.TestCase):
+    """A square that starts to slip against the shear traction that acts on it."""
+
+    WARNING = "At the start friction acts with the load instead of against it over 100 %"
+
+    def log(self, changes, ranks=1):
+        folder = asperity_run.run_to_end("against", SQUARE, *settings({
+            "Friction/Shear Traction": 6e3, "Initial State/State": "Steady",
+            "Time Stepping/Final Time": 0.1, **changes}), ranks=ranks)
+        return (folder / "run.log").read_text(encoding="utf-8")
+
+    def test_is_a_warning(self):
+        for ranks in (1, 2):
+            self.assertIn(self.WARNING, self.log({"Initial State/Slip Rate": -1e-6}, ranks))
+
+    def test_with_it_there_is_none(self):
+        for legal in ({"Initial State/Slip Rate": 1e-6}, {"Initial State/Slip Rate": 0,
+                                                          "Initial State/State": "Given"},
+                      {"Initial State/Slip Rate": "abs(x - 0.5) < 0.2 ? -1e-6 : 1e-6"},
+                      {"Initial State/Slip Rate": 1e-6, "Friction/Shear Traction": 9e3},
+                      {"Initial State/Slip Rate": 1e-6, "Friction/Shear Traction": 0}):
+            with self.subTest(legal):
+                self.assertNotIn("friction acts with", self.log(legal))
 
 
 if __name__ == "__main__":

@@ -30,9 +30,9 @@ ParameterList deckWith(std::vector<double> const& up, std::vector<double> const&
 FreeSurface facing(Direction const& normal) { return {{"top"}, {normal, 1}}; }
 
 Upright inSpace(FreeSurface const& surface, std::vector<double> const& up = {},
-                std::vector<double> const& down = {})
+                std::vector<double> const& down = {}, FreeSurface const& open = {})
 {
-  return uprightOf(deckWith(up, down), 3, surface);
+  return uprightOf(deckWith(up, down), 3, surface, open);
 }
 } // namespace
 
@@ -47,6 +47,21 @@ TEST(Upright, FollowsFromTheFreeSurface)
   EXPECT_EQ(inSpace(facing(tilted)).up, tilted) << "nearest to no axis";
 }
 
+TEST(Upright, FollowsFromWhatNothingHoldsWithoutAFreeSurface)
+{
+  auto const found = inSpace({}, {}, {}, facing({0, 0, 1}));
+  EXPECT_EQ(found.up, (Direction{0, 0, 1}));
+  EXPECT_EQ(found.down, (Direction{0, 0, -1}));
+  EXPECT_TRUE(found.is_known);
+  EXPECT_EQ(inSpace(facing({0, 1, 0}), {}, {}, facing({0, 0, 1})).up, (Direction{0, 1, 0}));
+  EXPECT_EQ(inSpace({}, {0, 1, 0}, {}, facing({0, 0, 1})).up, (Direction{0, 1, 0}));
+  EXPECT_EQ(inSpace({}, {}, {0, -1, 0}, facing({0, 0, 1})).up, (Direction{0, 1, 0}));
+  EXPECT_EQ(uprightOf(deckWith({}, {}, 0), 3, {}, facing({0, 0, 1})).up, (Direction{0, 1, 0}))
+    << "no gravity";
+  EXPECT_EQ(uprightOf(deckWith({}, {}), 2, {}, facing({1, 0, 0})).up, (Direction{0, 1, 0}))
+    << "in the plane";
+}
+
 TEST(Upright, IsYWithoutASurfaceThatFacesSomewhere)
 {
   for (auto const& surface : {FreeSurface{}, FreeSurface{{"all around"}, {{1e-9, 0, 0.01}, 6}}}) {
@@ -55,6 +70,8 @@ TEST(Upright, IsYWithoutASurfaceThatFacesSomewhere)
     EXPECT_EQ(found.down, (Direction{0, -1, 0}));
     EXPECT_FALSE(found.is_known);
   }
+  const FreeSurface two_ways = {{"left", "top"}, {{-1, 1, 0}, 2}};
+  EXPECT_FALSE(inSpace({}, {}, {}, two_ways).is_known);
   auto const found = inSpace({}, {}, {0.1, 0, -2});
   EXPECT_EQ(found.up, (Direction{0, 0, 1})) << "against gravity";
   EXPECT_NEAR(found.down[0], 0.1 / std::hypot(0.1, 2), 1e-15);

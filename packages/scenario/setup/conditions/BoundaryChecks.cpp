@@ -2,12 +2,18 @@
 
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
+#include "base/parallel/Gather.hpp"
+#include "fem/BoundaryMeasure.hpp"
+#include "mesh/PointText.hpp"
+#include "mesh/SimplexGeometry.hpp"
 #include "mesh/TouchingFacets.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace asperity::scenario
 {
@@ -15,15 +21,66 @@ namespace
 {
 bool contradict(BoundaryCondition const& a, BoundaryCondition const& b)
 {
+  const auto is_alone = [](DecidesOn on) {
+    return on == DecidesOn::rest || on == DecidesOn::freedom;
+  };
   const auto first = a.type->decides_on;
   const auto second = b.type->decides_on;
-  return first == DecidesOn::everything || second == DecidesOn::everything ||
+  return is_alone(first) || is_alone(second) ||
          (first == DecidesOn::traction && second == DecidesOn::traction);
 }
 
 bool reads(ConditionType const& type, std::string const& entry)
 {
   return std::find(type.reads.begin(), type.reads.end(), entry) != type.reads.end();
+}
+
+bool decidesOnTraction(BoundaryCondition const& condition)
+{
+  const auto on = condition.type->decides_on;
+  return !condition.liesAlongFault() && (on == DecidesOn::traction || on == DecidesOn::freedom);
+}
+
+// Facets that are counted over all ranks, and the place of one.
+template <int Dim>
+struct FoundFacets
+{
+  std::int64_t number = 0;
+  std::string place;
+};
+
+// Those of a boundary that `counts` accepts. Collective.
+template <int Dim, class Counts>
+FoundFacets<Dim> findFacets(Mesh<Dim> const& mesh, std::string const& boundary,
+                            Communicator const& communicator, Counts const& counts)
+{
+  std::int64_t mine = 0;
+  std::vector<double> first;
+  for (auto const& facet : mesh.boundaries.at(boundary)) {
+    const int least = *std::min_element(facet.begin(), facet.end(), [&mesh](int a, int b) {
+      return mesh.global_ids[a] < mesh.global_ids[b];
+    });
+    if (least < mesh.num_owned && counts(facet)) { // each facet on one rank
+      ++mine;
+      if (first.empty()) {
+        auto const centre = mesh::centroid(mesh::corners(mesh, facet));
+        first.assign(centre.begin(), centre.end());
+      }
+    }
+  }
+  auto const firsts = gatherToAll(first, communicator);
+  FoundFacets<Dim> found{sumOverRanks(mine, communicator), ""};
+  if (found.number > 0) {
+    Point<Dim> place;
+    std::copy_n(firsts.begin(), Dim, place.begin());
+    found.place = mesh::text(place);
+  }
+  return found;
+}
+
+std::string facetsText(std::int64_t number)
+{
+  return std::to_string(number) + (number == 1 ? " facet" : " facets");
 }
 
 // "the Type 'A' or 'B'"
@@ -139,6 +196,90 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
                        << " or 'Prescribed Slip Rate'.");
   }
 }
+
+template <int Dim>
+void requireOwnFacets(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
+                      Communicator const& communicator)
+{
+  using Facet = typename Mesh<Dim>::Facet;
+  const auto sorted = [](Facet facet) {
+    std::sort(facet.begin(), facet.end());
+    return facet;
+  };
+  for (auto later = conditions.begin(); later != conditions.end(); ++later) {
+    if (!decidesOnTraction(*later)) {
+      continue;
+    }
+    std::set<Facet> facets;
+    for (auto const& facet : mesh.boundaries.at(later->boundary)) {
+      facets.insert(sorted(facet));
+    }
+    for (auto other = conditions.begin(); other != later; ++other) {
+      const bool are_free =
+        later->type == other->type && later->type->decides_on == DecidesOn::freedom;
+      if (!decidesOnTraction(*other) || are_free) {
+        continue;
+      }
+      auto const common = findFacets(mesh, other->boundary, communicator, [&](Facet const& facet) {
+        return facets.count(sorted(facet)) > 0;
+      });
+      ASPERITY_REQUIRE(common.number == 0,
+                       later->name << " (" << later->type->name << " on '" << later->boundary
+                                   << "') and " << other->name << " (" << other->type->name
+                                   << " on '" << other->boundary << "') have "
+                                   << facetsText(common.number) << " in common, one at "
+                                   << common.place
+                                   << " m, where both would act. Give each facet one of them: "
+                                      "remove a condition, or divide the boundaries in the mesh.");
+    }
+  }
+}
+
+template <int Dim>
+void requirePlaneOfMirror(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
+                          Communicator const& communicator)
+{
+  constexpr double largest_angle = 1; // degrees
+  std::string fault;
+  std::vector<std::string> boundaries;
+  for (auto const& condition : conditions) {
+    if (condition.liesAlongFault()) {
+      boundaries.push_back(condition.boundary);
+    }
+    if (condition.type->place == ConditionPlace::fault && condition.type->other_side.is_mirrored) {
+      fault = condition.name + " (" + condition.type->name + ")";
+    }
+  }
+  if (fault.empty()) {
+    return;
+  }
+  auto const [sum, measure] = fem::integrateNormal(mesh, boundaries, communicator);
+  Point<Dim> mean;
+  std::copy_n(sum.begin(), Dim, mean.begin());
+  const double length = std::sqrt(mesh::dot<Dim>(mean, mean));
+  for (auto const& boundary : boundaries) {
+    auto const off = findFacets(mesh, boundary, communicator, [&](auto const& facet) {
+      auto const normal = mesh::facetNormal(mesh::corners(mesh, facet));
+      return mesh::dot<Dim>(normal, mean) < std::cos(largest_angle * M_PI / 180) * length;
+    });
+    ASPERITY_REQUIRE(off.number == 0 && (length > 0 || !(measure > 0)),
+                     fault << ": it mirrors the body in its plane, but the boundary '" << boundary
+                           << "' is not in one plane: the normal of " << facetsText(off.number)
+                           << ", one at " << off.place << " m, is more than "
+                           << formatShort(largest_angle)
+                           << " degree off the mean normal. Take a plane boundary, or put both "
+                              "sides into the mesh and choose the Type 'Two-Sided Fault'.");
+  }
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template void requireOwnFacets(std::vector<BoundaryCondition> const&, Mesh<Dim> const&,          \
+                                 Communicator const&);                                             \
+  template void requirePlaneOfMirror(std::vector<BoundaryCondition> const&, Mesh<Dim> const&,      \
+                                     Communicator const&);
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
 
 template void requireFaults(ParameterList const&, Mesh<2> const&, Communicator const&);
 template void requireFaults(ParameterList const&, Mesh<3> const&, Communicator const&);

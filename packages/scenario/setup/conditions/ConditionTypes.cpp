@@ -275,14 +275,14 @@ std::vector<ConditionType> makeTypes()
      "boundary are too small, so keep it far away.",
      {},
      ConditionPlace::elsewhere,
-     DecidesOn::everything,
+     DecidesOn::rest,
      {fixed<2>, fixed<3>}},
     {"Free Surface",
      "there is no traction, which is the default; name it so that its motion can be written and up "
      "follows from it.",
      {},
      ConditionPlace::elsewhere,
-     DecidesOn::everything,
+     DecidesOn::freedom,
      {freeSurface<2>, freeSurface<3>}}};
   types.insert(types.end(), others.begin(), others.end());
   types.push_back(tractionType());

@@ -25,13 +25,14 @@ enum class ConditionPlace
 };
 
 // What a condition decides on. It limits the other conditions on the same boundary: two may each
-// prescribe a direction, but only one the traction, and a condition that decides on everything
-// allows no other.
+// prescribe a direction, but only one the traction, and a condition that holds the boundary or
+// leaves it free allows no other.
 enum class DecidesOn
 {
   direction,
   traction,
-  everything
+  rest,
+  freedom // no traction
 };
 
 // Adds a condition of the deck to the result.

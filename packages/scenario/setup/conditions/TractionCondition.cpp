@@ -106,7 +106,7 @@ ConditionType tractionType()
 {
   std::vector<std::string> reads = {pressure_name};
   reads.insert(reads.end(), component_names.begin(), component_names.end());
-  return {"Prescribed Traction",
+  return {traction_type,
           "this traction acts on the boundary, which moves freely; its motion is written as that "
           "of the surface if there is no Free Surface.",
           std::move(reads),

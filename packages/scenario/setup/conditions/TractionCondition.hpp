@@ -4,6 +4,8 @@
 
 namespace asperity::scenario
 {
+inline constexpr char const* traction_type = "Prescribed Traction";
+
 // The Type 'Prescribed Traction': its name, its entries, which boundaryParameters() declares, and
 // the function that makes it.
 ConditionType tractionType();
