@@ -165,17 +165,32 @@ private:
   {
     for (auto const& group : groups_.boundaries) {
       auto& facets = mesh_.boundaries[group.name];
+      std::set<std::array<Tag, Dim>> known; // by ascending tags
       for (int entity : group.entities) {
         const auto vertices = simplices(Dim - 1, entity, where_);
-        for (Tag tag : vertices) {
-          ASPERITY_REQUIRE(number_.count(tag) > 0, where_ << ": boundary '" << group.name
-                                                          << "' has node " << tag
-                                                          << ", which belongs to no cell.");
-        }
         for (std::size_t i = 0; i < vertices.size(); i += Dim) {
-          facets.push_back(simplex<Dim>(&vertices[i]));
+          std::array<Tag, Dim> sorted;
+          std::copy_n(&vertices[i], Dim, sorted.begin());
+          std::sort(sorted.begin(), sorted.end());
+          if (known.insert(sorted).second) { // format 2.2 repeats it for each group of its entity
+            requireSide(group.name, &vertices[i]);
+            facets.push_back(simplex<Dim>(&vertices[i]));
+          }
         }
       }
+    }
+  }
+
+  // Gmsh meshes a curve or a surface that is not embedded for itself.
+  void requireSide(std::string const& boundary, Tag const* vertices) const
+  {
+    for (Tag const* tag = vertices; tag != vertices + Dim; ++tag) {
+      ASPERITY_REQUIRE(
+        number_.count(*tag) > 0,
+        where_ << ": the facets of '" << boundary << "' are not sides of cells: its "
+               << "node " << *tag << " belongs to no cell. In Gmsh, embed it: "
+               << (Dim == 2 ? "Curve{...} In Surface{...};" : "Surface{...} In Volume{...};")
+               << " Or cut the body along it with BooleanFragments.");
     }
   }
 
@@ -236,6 +251,37 @@ void joinParts(std::string const& file_name, std::string const& where)
             << " parts are put together. asperity-mesh partition divides a mesh for ranks.\n";
 }
 
+// The dimensions of the physical groups that have a name in the file, whether they have cells or
+// not. This section is text in all formats.
+std::set<int> namedDimensions(std::string const& file_name)
+{
+  std::ifstream file(file_name, std::ios::binary);
+  std::set<int> dimensions;
+  for (std::string line; std::getline(file, line) && line.rfind("$Nodes", 0) != 0;) {
+    if (line.rfind("$PhysicalNames", 0) == 0) {
+      std::getline(file, line); // their number
+      while (std::getline(file, line) && line.rfind("$End", 0) != 0) {
+        dimensions.insert(std::atoi(line.c_str()));
+      }
+    }
+  }
+  return dimensions;
+}
+
+void requireGroupsOfNames(std::string const& file_name, int dimension, std::string const& where)
+{
+  const auto named = namedDimensions(file_name);
+  for (int of : {dimension, dimension - 1}) {
+    gmsh::vectorpair groups;
+    model::getPhysicalGroups(groups, of);
+    ASPERITY_REQUIRE(!groups.empty() || named.count(of) == 0,
+                     where << " has names of physical " << entityName(of) << "s, but nothing in "
+                           << "the mesh belongs to one. Gmsh loses the groups with Mesh.SaveAll = "
+                              "1 in format 2.2: save the mesh with Mesh.SaveAll = 0, or with "
+                              "Mesh.MshFileVersion = 4.1.");
+  }
+}
+
 // Prints Gmsh's warnings, without the start of its own.
 void passWarningsOn(std::string const& where)
 {
@@ -261,6 +307,7 @@ GmshFile::GmshFile(std::string const& file_name, std::string where, GroupNames c
   session_.open(file_name, where_);
   passWarningsOn(where_);
   joinParts(file_name, where_);
+  requireGroupsOfNames(file_name, dimension(), where_);
   groups_ = physicalGroups(dimension(), names, where_);
 }
 

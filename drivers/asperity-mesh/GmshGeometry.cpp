@@ -26,6 +26,17 @@ std::string withoutComments(std::string const& script)
   return std::regex_replace(script, std::regex("//[^\n]*|/\\*[^*]*\\*+([^/*][^*]*\\*+)*/"), " ");
 }
 
+// Gmsh reads one statement of a last line that does not end, and is silent on the others.
+void requireThatLastLineEnds(std::string const& script, std::string const& where)
+{
+  const std::string line = asperity::trimmed(script.substr(script.rfind('\n') + 1));
+  const auto end = line.find(';');
+  ASPERITY_REQUIRE(end == std::string::npos || end + 1 == line.size(),
+                   where << ": there is no newline at the end of the last line. Gmsh would read of "
+                            "it only '"
+                         << line.substr(0, end + 1) << "'. Add a newline at the end of the file.");
+}
+
 // Without comments.
 std::string readOne(std::string const& file_name)
 {
@@ -34,7 +45,9 @@ std::string readOne(std::string const& file_name)
                                      << " cannot be opened. Is it there, and may you read it?");
   std::ostringstream text;
   text << file.rdbuf();
-  return withoutComments(text.str());
+  const auto script = withoutComments(text.str());
+  requireThatLastLineEnds(script, whereIs(file_name));
+  return script;
 }
 
 // The script followed by those that it includes, whose names are relative to its folder.

@@ -173,7 +173,10 @@ private:
     ASPERITY_REQUIRE(first != last, where_ << ": the facet of boundary '" << name
                                            << "' with vertices " << numbers(facet) << " at "
                                            << text(corners(mesh_, facet))
-                                           << " is not a facet of any cell.");
+                                           << " is not a facet of any cell. Cells have to follow "
+                                              "it: in Gmsh, embed it: "
+                                           << (Dim == 2 ? "Curve{...} In Surface{...};"
+                                                        : "Surface{...} In Volume{...};"));
   }
 
   GlobalMesh<Dim> const& mesh_;

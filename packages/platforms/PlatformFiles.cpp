@@ -1,5 +1,7 @@
 #include "platforms/PlatformFiles.hpp"
 
+#include "base/Errors.hpp"
+
 namespace asperity::platforms
 {
 void PlatformFiles::write(io::StepInfo const& step)
@@ -31,5 +33,15 @@ void PlatformFiles::restore(io::Archive const& archive)
   for (auto& [name, part] : parts_) {
     part->restore(archive.child(name));
   }
+}
+
+void requireFriction(std::string const& format, io::FieldRegistry const& fields)
+{
+  ASPERITY_REQUIRE(fields.hasField("fault", "normal_stress") || fields.hasField("fault", "theta"),
+                   "Asperity / Output / Text Format = "
+                     << format
+                     << " needs a fault with friction, whose stresses and state its files of "
+                        "receivers on the fault have. Leave out 'Text Format'; fault.h5 and "
+                        "receivers.h5 have the slip.");
 }
 } // namespace asperity::platforms

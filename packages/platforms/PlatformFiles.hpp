@@ -41,4 +41,7 @@ private:
   StepFacts steps_;
   std::map<std::string, std::unique_ptr<Part>> parts_;
 };
+
+// InputError, which names the text format, unless the fault has the fields of friction.
+void requireFriction(std::string const& format, io::FieldRegistry const& fields);
 } // namespace asperity::platforms

@@ -262,11 +262,12 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
       warnings.push_back(*warning);
     }
   }
-  if (auto const warning = warnOfUp(bulk, Dim, of.upright)) {
-    warnings.push_back(*warning);
-  }
-  if (auto const warning = warnOfContrast(deck, of.mesh, *surface)) {
-    warnings.push_back(*warning);
+  for (auto const& warning :
+       {warnOfUp(bulk, Dim, of.upright), warnOfContrast(deck, of.mesh, *surface),
+        warnOfVelocity(deck, of.mesh, *surface)}) {
+    if (warning) {
+      warnings.push_back(*warning);
+    }
   }
   return {{std::move(body), std::move(fault), std::move(initial),
            follows ? across : dynamics::ReactionSinceStart()},

@@ -1,6 +1,7 @@
 #include "catalogue/events/EventCatalogue.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/events/EventTable.hpp"
 #include "parameters/Parameters.hpp"
@@ -115,6 +116,8 @@ void EventCatalogue::write(io::StepInfo const& step)
   slip_.values(now_.slip);
   now_.energies = energies_.sample();
   EventFollower::write(step);
+  largest_rate_ = std::max(largest_rate_, previous().peak);
+  is_seismic_throughout_ = is_seismic_throughout_ && eventInProgress();
   if (waits_ && step.time - last_.end >= merging_time_) {
     recordLast();
   }
@@ -295,8 +298,25 @@ std::string EventCatalogue::report() const
     text << "and " << num_small_ << " that are left out: below 'Smallest Width' or 'Smallest "
          << "Magnitude' of the event catalogue\n";
   }
+  text << onThreshold();
   text << '\n';
   return text.str();
+}
+
+// Where the table shows no earthquake because of the threshold.
+std::string EventCatalogue::onThreshold() const
+{
+  std::string const& entry =
+    " 'Event Catalogue / Threshold' = " + formatShort(threshold()) + " m/s";
+  if (num_events_ == 0 && largest_rate_ > 0) {
+    return "No event: the largest slip rate, " + formatShort(largest_rate_) + " m/s, is below" +
+           entry + ".\n";
+  }
+  if (is_seismic_throughout_ && largest_rate_ > 0) {
+    return "The fault slips above" + entry +
+           " at all times, so that all is one event. Choose one above the rates of creep.\n";
+  }
+  return "";
 }
 
 std::vector<double> EventCatalogue::choice() const
@@ -325,6 +345,8 @@ void EventCatalogue::save(io::Archive& archive) const
   archive.set("num_small", num_small_);
   archive.set("last_event", last);
   archive.set("last_waits", waits_);
+  archive.set("largest_rate", largest_rate_);
+  archive.set("seismic_throughout", is_seismic_throughout_);
   archive.set("energies_at_end", energies_at_end_);
   archive.set("events", numbers);
   archive.set("open_event", open);
@@ -362,6 +384,9 @@ void EventCatalogue::restore(io::Archive const& archive)
   num_events_ = archive.getInteger("num_events");
   num_small_ = archive.getInteger("num_small");
   waits_ = archive.getInteger("last_waits") != 0;
+  const bool knows_rates = archive.has("largest_rate"); // not of versions before: no sentence then
+  largest_rate_ = knows_rates ? archive.getDouble("largest_rate") : 0;
+  is_seismic_throughout_ = knows_rates && archive.getInteger("seismic_throughout") != 0;
   energies_at_end_ = archive.get<Numbers>("energies_at_end");
   seismic_slip_ = archive.get<Numbers>("seismic_slip");
   ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");

@@ -51,7 +51,8 @@ public:
   void restore(io::Archive const& archive) override;
 
   std::optional<std::int64_t> numEvents() const override;
-  std::string report() const override; // a table of the events and their summary
+  // A table of the events, their summary, and a sentence if the threshold hides earthquakes.
+  std::string report() const override;
 
   // Known on every rank: complete events, and after finish() the one then in progress.
   std::vector<Event> const& events() const { return events_; }
@@ -79,6 +80,7 @@ private:
   double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   bool isSmall(Event const& event) const;
+  std::string onThreshold() const; // for report()
   std::int64_t numComplete() const { return static_cast<std::int64_t>(events_.size()); }
   void recordLast();                         // when no further event can be part of it
   std::vector<double> choice() const;        // what a restart has to find unchanged
@@ -98,6 +100,8 @@ private:
   std::vector<Event> events_;
   std::int64_t num_events_ = 0; // also those that are parts of others, or small
   std::int64_t num_small_ = 0;  // without a row
+  double largest_rate_ = 0;     // [m/s] of all samples
+  bool is_seismic_throughout_ = true;
 
   More now_, before_;
   Event open_;         // onset, first node and peak rate of the event in progress

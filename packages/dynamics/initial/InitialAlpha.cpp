@@ -51,6 +51,21 @@ std::vector<double> balancingCoefficients(Fault const& fault, FaultAtStart const
   }
   return mu;
 }
+
+std::string howToSlip(fem::FaultSurface const& surface, int node)
+{
+  std::string text;
+  for (int k = 0; k < surface.numTangents(); ++k) {
+    if (surface.held(node, k)) {
+      text = "A boundary condition decides on a part of the velocity there. ";
+    }
+  }
+  return text +
+         (surface.otherSide().is_inside
+            ? "Give 'Slip Rate' a value there, since a velocity is the same on both sides of the "
+              "fault, or choose State = Given."
+            : "Give an initial velocity along the fault or 'Slip Rate', or choose State = Given.");
+}
 } // namespace
 
 NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
@@ -68,7 +83,8 @@ NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const&
   for (int node = 0; node < num_nodes; ++node) {
     ASPERITY_REQUIRE(V[node] > 0 || !surface.slides(node),
                      where(node) << " the initial slip rate is zero, for which there is no such "
-                                    "state. Give an initial velocity, or State = Given.");
+                                    "state. "
+                                 << howToSlip(surface, node));
   }
   // nan stays where no state does it
   auto const found = toDevice(std::vector<double>(num_nodes, nan), "asperity::dynamics::alpha");

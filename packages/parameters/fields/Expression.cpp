@@ -68,9 +68,14 @@ void refuseAssignment(std::string const& text, std::string const& path)
 }
 
 // Whether a text that is no expression looks like the name of a file: it ends like one, and has no
-// operation and no space.
+// operation and no space, or goes on behind that of an HDF5 file.
 bool looksLikeFile(std::string const& text)
 {
+  for (std::string const inside : {".h5:", ".h5/", ".hdf5:", ".hdf5/"}) {
+    if (text.find(inside) != std::string::npos) {
+      return true;
+    }
+  }
   const auto point = text.find_last_of('.');
   if (point == std::string::npos || point + 1 == text.size() ||
       text.find_first_of(" \t\n+*^()<>=&|,?") != std::string::npos) {

@@ -70,6 +70,16 @@ std::vector<std::string> namesBelow(h5::File const& file)
   return names;
 }
 
+// What the group has, if it is one.
+std::optional<std::vector<std::string>> membersOf(h5::File const& file, std::string const& group)
+{
+  try {
+    return file.openGroup(group).names();
+  } catch (h5::Error const&) {
+    return std::nullopt;
+  }
+}
+
 std::size_t colonBeforeDataset(std::string const& text)
 {
   const std::size_t colon = text.find(":/");
@@ -118,6 +128,10 @@ h5::Dataset VertexDataset::open() const
   try {
     return file->openDataset(dataset_name_); // keeps the file open
   } catch (h5::Error const&) {
+    if (const auto members = membersOf(*file, dataset_name_)) {
+      throw InputError(where + ": '" + dataset_name_ + "' is a group, not a dataset. It has " +
+                       (members->empty() ? "no members" : quotedNames(*members)) + '.');
+    }
     throw InputError(where + " has no dataset '" + dataset_name_ + "'." +
                      didYouMean(dataset_name_, namesBelow(*file)));
   }

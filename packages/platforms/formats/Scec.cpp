@@ -135,6 +135,7 @@ public:
       addStations(
         *files, platform, context, *receivers,
         [=, &context](ModelView const& view) {
+          requireFriction("SCEC", context.fields);
           return Stations::Kind{"fault", "on fault", scecFault(view, context.fields), time_step};
         },
         [=](ModelView const& view) {

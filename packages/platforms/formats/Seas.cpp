@@ -123,6 +123,7 @@ public:
       addStations(
         *files, platform, context, *receivers,
         [&context](ModelView const& view) {
+          requireFriction("SEAS", context.fields);
           return Stations::Kind{"fltst_", "on fault", seasFault(view, context.fields)};
         },
         [](ModelView const& view) {

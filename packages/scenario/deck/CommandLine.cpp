@@ -74,6 +74,11 @@ void completeRestart(CommandLine& line)
     return;
   }
   std::error_code ignored;
+  ASPERITY_REQUIRE(fs::exists(line.restart, ignored),
+                   "--restart " << line.restart
+                                << ": there is no such directory or file. Give the directory of a "
+                                   "run, which has parameters.xml and checkpoint.h5, or a "
+                                   "checkpoint.");
   fs::path checkpoint = line.restart;
   if (fs::is_directory(checkpoint, ignored)) {
     checkpoint /= "checkpoint.h5";

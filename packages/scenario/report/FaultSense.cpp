@@ -6,6 +6,7 @@
 #include "fem/constraints/PlaneTangent.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -246,16 +247,49 @@ MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::st
   return fault;
 }
 
-std::string ofPositiveTraction(FaultSides const& sides, ParameterList const& friction)
+// The rake of what the entry says, if a list, which need not have it, says where it points.
+std::string rakeAlong(FaultSides const& sides, ParameterList const& list, char const* direction,
+                      char const* entry)
 {
-  if (!friction.isParameter("Slip Direction")) { // no fault has friction
+  if (!list.isParameter(direction)) {
     return "";
   }
-  auto const given = friction.get<Teuchos::Array<double>>("Slip Direction");
-  Vector3 direction{};
-  std::copy_n(given.begin(), std::min<std::ptrdiff_t>(3, given.size()), direction.begin());
-  auto const rake = rakeInWords(sides, direction);
-  return rake.empty() ? "" : "; a positive Shear Traction has " + rake;
+  auto const given = list.get<Teuchos::Array<double>>(direction);
+  Vector3 towards{};
+  std::copy_n(given.begin(), std::min<std::ptrdiff_t>(3, given.size()), towards.begin());
+  auto const rake = rakeInWords(sides, towards);
+  return rake.empty() ? "" : std::string("; a positive ") + entry + " has " + rake;
+}
+
+// In space: of prescribed slip, or else of the shear traction that friction bears.
+template <int Dim>
+std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
+                       ParameterList const& deck, std::string const& fault)
+{
+  auto const& given = problem.boundary.given_slip;
+  if (std::find(given.begin(), given.end(), fault) == given.end()) {
+    return rakeAlong(sides, deck.sublist("Friction"), "Slip Direction", "Shear Traction");
+  }
+  for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
+    if (condition.boundary == fault && isGiven(condition.list, "Slip Rate")) {
+      return rakeAlong(sides, condition.list, "Direction", "Slip Rate");
+    }
+  }
+  return "";
+}
+
+// Of a fault whose parts face each other. Inside the body it closes around a part of it, and plus
+// is the outside (mesh::splitFaults); else the body lies all around, or in it.
+template <int Dim>
+std::string senseOfRing(Problem<Dim> const& problem)
+{
+  if (!problem.surface->otherSide().is_inside) {
+    return "its plus side is the body";
+  }
+  return std::string("its plus side is the outside") +
+         (Dim == 3                  ? ""
+          : problem.components == 2 ? "; positive slip runs counterclockwise, seen against +z"
+                                    : "; positive slip moves it along +z, out of the plane");
 }
 
 std::string ofPlates(MeanFault const& fault, int dimension)
@@ -293,13 +327,13 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
   for (auto const& name : problem.boundary.faults) {
     auto const fault = meanOf(problem, deck, name);
     if (!fault.has_sides) {
-      lines.push_back("Fault '" + name + "' bends so far that no side is the plus side of all.");
+      lines.push_back("Fault '" + name + "': " + senseOfRing(problem) + ".");
       continue;
     }
-    lines.push_back(
-      "Fault '" + name + "': its plus side" + (surface.otherSide().is_inside ? "" : ", the body,") +
-      " lies towards " + directionText(fault.sides.plus, Dim) + "; " + senseOfSlip(fault.sides) +
-      (Dim == 3 ? ofPositiveTraction(fault.sides, deck.sublist("Friction")) : "") + ".");
+    lines.push_back("Fault '" + name + "': its plus side" +
+                    (surface.otherSide().is_inside ? "" : ", the body,") + " lies towards " +
+                    directionText(fault.sides.plus, Dim) + "; " + senseOfSlip(fault.sides) +
+                    (Dim == 3 ? ofPositive(fault.sides, problem, deck, name) : "") + ".");
     if (surface.hasPlateRate() && length(fault.plates) > 0) {
       lines.push_back(ofPlates(fault, Dim));
     }

@@ -51,7 +51,8 @@ std::string rakeInWords(FaultSides const& sides, std::array<double, 3> const& sl
 
 // A line that says where up is, where it matters; for each fault a line that says where its plus
 // side is and what slip is positive, in space with its strike, its dip and the rake of a positive
-// shear traction, and one for the plates' motion along it, if the deck has one. Collective.
+// shear traction or of prescribed slip, and one for the plates' motion along it, if the deck has
+// one. Collective.
 template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck);
 

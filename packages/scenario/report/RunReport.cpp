@@ -79,6 +79,12 @@ bool hasTip(Problem<Dim> const& problem, std::string const& boundary)
   return maxOverRanks(here ? 1 : 0, *problem.communicator) == 1;
 }
 
+bool isDoubtful(std::string const& topic, std::vector<Warning> const& warnings)
+{
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](Warning const& warning) { return warning.topic == topic; });
+}
+
 // Where slip is prescribed, the stiffness of the fault has no effect.
 template <int Dim>
 void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
@@ -161,8 +167,13 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
     auto const warnings = warnOfResolution(*resolution, state_law);
     description.warnings.insert(description.warnings.end(), warnings.begin(), warnings.end());
   }
-  auto const of_size = warnOfSize(bodySize(problem, deck), problem.scales.resolution);
+  // With a normal stress in the wrong unit the lengths of friction are wrong, not the body's.
+  auto const of_size = warnOfSize(
+    bodySize(problem, deck),
+    isDoubtful("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution);
   description.warnings.insert(description.warnings.end(), of_size.begin(), of_size.end());
+  auto const of_slip = warnOfPrescribedSlip(problem, deck);
+  description.warnings.insert(description.warnings.end(), of_slip.begin(), of_slip.end());
   auto const of_scales = describeScales(problem.scales);
   lines.insert(lines.end(), of_scales.begin(), of_scales.end());
   auto const& front = problem.scales.front;

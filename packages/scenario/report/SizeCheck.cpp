@@ -2,12 +2,16 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "mesh/Mesh.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace asperity::scenario
@@ -101,4 +105,90 @@ std::vector<Warning> warnOfSize(BodySize const& size,
   }
   return warnings;
 }
+namespace
+{
+// Means of the largest slip, and no pulse that a time meets by chance: with one number of times it
+// counts too much, with the other one not at all.
+constexpr int numbers_of_times[] = {128, 101};
+constexpr std::size_t most_nodes = 1000; // at which the rate is read, of each rank
+
+// The largest slip at nodes that the rate prescribes from t = 0 to `end`.
+double largestSlip(NodalField const& rate, double end)
+{
+  double smaller = std::numeric_limits<double>::infinity();
+  for (const int times : rate.dependsOnTime()
+                           ? std::vector<int>(numbers_of_times, std::end(numbers_of_times))
+                           : std::vector<int>{1}) {
+    std::vector<double> slip;
+    for (int i = 0; i < times; ++i) {
+      auto const rates = rate.at((i + 0.5) / times * end);
+      slip.resize(rates.size(), 0.);
+      for (std::size_t node = 0; node < rates.size(); ++node) {
+        slip[node] += rates[node] * end / times;
+      }
+    }
+    double largest = 0;
+    for (const double value : slip) {
+      largest = std::max(largest, std::abs(value));
+    }
+    smaller = std::min(smaller, largest);
+  }
+  return smaller;
+}
+
+// The longest axis of the bounding box of vertices of all ranks.
+template <int Dim>
+double extentOf(Mesh<Dim> const& mesh, std::vector<int> const& vertices,
+                Communicator const& communicator)
+{
+  std::vector<double> ends(2 * Dim, std::numeric_limits<double>::infinity());
+  for (const int vertex : vertices) {
+    for (int d = 0; d < Dim; ++d) {
+      ends[d] = std::min(ends[d], mesh.vertices[vertex][d]);
+      ends[Dim + d] = std::min(ends[Dim + d], -mesh.vertices[vertex][d]);
+    }
+  }
+  ends = minOverRanks(ends, communicator);
+  double extent = 0;
+  for (int d = 0; d < Dim; ++d) {
+    extent = std::max(extent, -ends[Dim + d] - ends[d]);
+  }
+  return extent;
+}
+} // namespace
+
+template <int Dim>
+std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  constexpr double small_strain = 0.05;
+  const double end = finalTime(deck.sublist("Time Stepping"));
+  auto const& names = problem.boundary.given_slip;
+  for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
+    auto const& name = condition.boundary;
+    if (std::find(names.begin(), names.end(), name) == names.end() ||
+        !isGiven(condition.list, "Slip Rate")) {
+      continue;
+    }
+    auto vertices = mesh::boundaryVertices(problem.mesh, name);
+    const double extent = extentOf(problem.mesh, vertices, *problem.communicator);
+    const std::size_t stride = vertices.size() / most_nodes + 1;
+    std::vector<int> some;
+    for (std::size_t i = 0; i < vertices.size(); i += stride) {
+      some.push_back(vertices[i]);
+    }
+    const FieldNodes nodes(problem.mesh, some);
+    const NodalField rate({condition.list, "Slip Rate", condition.name, nodes.region_names}, nodes);
+    const double slip = maxOverRanks(largestSlip(rate, end), *problem.communicator);
+    if (slip > small_strain * extent) {
+      return {
+        {"prescribed slip", "The slip prescribed on '" + name + "', " + formatShort(slip) +
+                              " m until the end of the run, is more than 5 % of its length, " +
+                              formatShort(extent) + " m: strains are not small." + in_km}};
+    }
+  }
+  return {};
+}
+
+template std::vector<Warning> warnOfPrescribedSlip(Problem<2> const&, ParameterList const&);
+template std::vector<Warning> warnOfPrescribedSlip(Problem<3> const&, ParameterList const&);
 } // namespace asperity::scenario

@@ -28,4 +28,9 @@ BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck);
 // in m that is read in km. `resolution` may be empty, where friction weakens nowhere.
 std::vector<Warning> warnOfSize(BodySize const& size,
                                 std::optional<dynamics::FaultResolution> const& resolution);
+
+// A warning on the topic "prescribed slip" if the slip that the deck prescribes over the run is
+// more than 5 % of the longest axis of its fault. Collective.
+template <int Dim>
+std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, ParameterList const& deck);
 } // namespace asperity::scenario

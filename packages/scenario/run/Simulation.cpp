@@ -291,6 +291,12 @@ void SimulationOf<Dim>::begin()
   evolution_.watchTension();
   warnOfEvolution();
   evolution_.requireLittleGrowth();
+  if (evolution_.time() > evolution_.finalTime()) {
+    record_->warn({"final time", "The results go on beyond 'Time Stepping / Final Time' = " +
+                                   formatShort(evolution_.finalTime()) + " s: the state of " +
+                                   restart_ + " is that" + at() +
+                                   " Begin a new run if it is to end before."});
+  }
   if (evolution_.atEnd()) {
     record_->message("The final time, " + formatShort(evolution_.finalTime()) +
                      " s, has passed: there is nothing to do. Give a later 'Time Stepping / "

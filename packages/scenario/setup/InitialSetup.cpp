@@ -1,5 +1,6 @@
 #include "scenario/setup/InitialSetup.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/InitialState.hpp"
@@ -170,7 +171,35 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
   return state;
 }
 
+// In a model with inertia it may be that of a wave.
+template <int Dim>
+std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const& mesh,
+                                      fem::FaultSurface const& surface)
+{
+  auto const& list = deck.sublist("Initial State");
+  if (!surface.otherSide().is_inside || surface.numSliding() == 0 || isGiven(list, "Slip Rate") ||
+      !quasiDynamic(deck.sublist("Bulk"))) {
+    return std::nullopt;
+  }
+  auto const nodes = faultNodes(mesh, surface);
+  double largest = 0;
+  for (auto const* name : velocity_names) {
+    for (const double velocity : nodalValues(list, name, initial_path, nodes)) {
+      largest = std::max(largest, std::abs(velocity));
+    }
+  }
+  if (maxOverRanks(largest, *surface.communicator()) == 0) {
+    return std::nullopt;
+  }
+  return Warning{"initial velocity",
+                 std::string(initial_path) +
+                   " has a velocity, which is the same on both sides of a two-sided fault: the "
+                   "fault starts at rest. Give 'Slip Rate' instead."};
+}
+
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template std::optional<Warning> warnOfVelocity(ParameterList const&, Mesh<Dim> const&,           \
+                                                 fem::FaultSurface const&);                        \
   template dynamics::State makeInitialState(                                                       \
     ParameterList const&, Mesh<Dim> const&, fem::NodalFrames const&, dynamics::Body const&,        \
     dynamics::Fault const&, dynamics::RateSolverSettings const&, StartOfRun const&);

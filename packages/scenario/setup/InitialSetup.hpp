@@ -1,11 +1,14 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "dynamics/Body.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "dynamics/fault/Fault.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "parameters/Parameters.hpp"
+
+#include <optional>
 
 namespace asperity::scenario
 {
@@ -35,4 +38,10 @@ dynamics::State
 makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFrames const& frames,
                  dynamics::Body const& body, dynamics::Fault const& fault,
                  dynamics::RateSolverSettings const& solver, StartOfRun const& start);
+
+// Of an initial velocity that moves both sides of a two-sided fault, and so does not make it slip,
+// in a quasi-dynamic model, where it has no other effect. Collective.
+template <int Dim>
+std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const& mesh,
+                                      fem::FaultSurface const& surface);
 } // namespace asperity::scenario

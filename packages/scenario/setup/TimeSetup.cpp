@@ -105,7 +105,8 @@ RCP<const ParameterList> timeParameters()
       "No step is smaller than this, rounded down to the largest step divided by a power of two. "
       "Without it this is a hundredth of L over a seismic slip rate 20 b sigma_n / Z, where Z is "
       "the shear impedance at the fault, and with inertia at most a tenth of the time that a shear "
-      "wave takes through a cell at the fault.")
+      "wave takes through a cell at the fault. Where friction has a state but weakens nowhere, a "
+      ">= b, there is no default.")
     .hint("Steps that are too large to follow an earthquake lose it: choose it a few hundred times "
           "smaller than L over the slip rate of earthquakes.")
     .choiceOfLists("Control", "Step Doubling", controls, meaning)

@@ -47,6 +47,22 @@ class Conditions(FaultCase):
             self.assert_done(*self.arguments(TWO_SIDED), "--output", f"results_{ranks}",
                              ranks=ranks)
 
+    def test_a_start_that_needs_slip(self):
+        self.refuse({**TWO_SIDED, "Initial State/State": "Steady",
+                     "Initial State/Velocity X": 1e-6},
+                    "the initial slip rate is zero", "Give 'Slip Rate' a value there",
+                    "the same on both sides")
+
+    def test_text_files_without_friction(self):
+        changes = {**TWO_SIDED, "Boundary Conditions/Fault/Type": "Prescribed Slip Rate",
+                   "Boundary Conditions/Fault/Slip Rate": 1e-6,
+                   "Output/Receivers/On Fault/mid": 0.5}
+        for text in ("SEAS", "SCEC"):
+            self.assert_refused(
+                [*self.arguments({**changes, "Output/Text Format": text}), "--remove", "Friction"],
+                f"Asperity / Output / Text Format = {text} needs a fault with friction",
+                "Leave out 'Text Format'")
+
     def test_on_the_surface_of_the_body(self):
         self.refuse({"Boundary Conditions/Fault/Type": "Two-Sided Fault"},
                     f"{CONDITIONS} / Fault / Boundary = 'bottom' is no fault inside the body",

@@ -55,6 +55,12 @@ class SeveralFaults(unittest.TestCase):
         self.assertIn("Fault 'level': its plus side lies towards (0, 1); positive slip moves it "
                       "along (1, 0): right lateral in a map.", lines)
 
+    def test_of_a_ring_plus_is_the_outside(self):
+        ring = settings({"Mesh/Rectangle/Cells X": 8, "Mesh/Rectangle/Cells Y": 8,
+                         "Mesh/Faults/ring": "abs(max(abs(x-0.5), abs(y-0.5)) - 0.25) < 1e-6",
+                         f"{FAULT}/Boundary": "ring", f"{FAULT}/Type": "Two-Sided Fault"})
+        self.assertIn("Fault 'ring': its plus side is the outside; positive slip runs "
+                      "counterclockwise, seen against +z.", lines_of(SQUARE, *ring))
 
     def test_text_files_take_one_sense(self):
         text = settings({"Output/Text Format": "SEAS", "Output/Receivers/On Fault/mid": 1000.})
@@ -133,6 +139,18 @@ class Up(unittest.TestCase):
             "Boundary Conditions/Main/Direction": "{0, -1, 0}"}))
         self.assertIn("The plates slip along it at 1e-09 m/s on the average: rake 180, right "
                       "lateral.", lines)
+
+    def test_the_rake_of_prescribed_slip(self):
+        """That of its part along the fault, whatever friction would have by default."""
+        lines = lines_of(BURIED, "--remove", "Friction", *settings({
+            "Output/Fault History/Fields": "{slip}",
+            "Boundary Conditions/Main/Type": "Prescribed Slip Rate",
+            "Boundary Conditions/Main/Slip Rate": 1e-9,
+            "Boundary Conditions/Main/Direction": "{1, -1, 0}"}))
+        self.assertIn(
+            "Fault 'main': its plus side lies towards (1, 0, 0); slip has parts along the axes; "
+            "strike 0, dip 90; along (0, -1, 0) it is right lateral; a positive Slip Rate has "
+            "rake 180, right lateral.", lines)
 
     def test_contradictions(self):
         for change, message in (

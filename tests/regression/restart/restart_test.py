@@ -123,6 +123,9 @@ class Restart(Restarting):
             for text in (result.stdout, (folder / "run.log").read_text()):
                 self.assertIn(f"The final time, {end} s, has passed: there is nothing to do. Give "
                               "a later 'Time Stepping / Final Time' to go on.", text)
+                self.assertEqual("beyond 'Time Stepping / Final Time' = 4.5 s: the state of "
+                                 f"{folder / 'checkpoint.h5'} is that at t = 5 s" in text,
+                                 end == "4.5")
             self.assertEqual((folder / "steps.csv").read_bytes(), steps)
 
     def test_refuses_another_deck(self):

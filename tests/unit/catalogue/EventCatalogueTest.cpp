@@ -353,6 +353,21 @@ TEST(EventCatalogue, SmallEventsHaveNoRowAndKeepTheirNumbers)
   EXPECT_EQ(lines(directory / "events.csv")[2].substr(0, 2), "3,");
 }
 
+TEST(EventCatalogue, SaysIfTheThresholdHidesEarthquakes)
+{
+  const Rates creep(num_base, 2 * threshold);
+  const std::string above = "slips above 'Event Catalogue / Threshold' = 0.01 m/s at all times",
+                    below = "No event: the largest slip rate, 0.0001 m/s, is below";
+  for (auto const& history : {History{creep, creep}, {quiet, quiet}, {quiet, creep}}) {
+    test::TemporaryDirectory directory;
+    Observed run(directory.path());
+    run.all(history);
+    const auto report = run.catalogue->report();
+    EXPECT_EQ(report.find(above) != std::string::npos, history[0] == creep) << report;
+    EXPECT_EQ(report.find(below) != std::string::npos, history[1] == quiet) << report;
+  }
+}
+
 TEST(EventCatalogue, EventsWithinTheMergingTimeAreOne)
 {
   test::TemporaryDirectory directory, apart_directory;

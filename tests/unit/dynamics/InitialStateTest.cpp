@@ -252,5 +252,6 @@ TEST(InitialAlpha, RefusesAStateThatDoesNotExist)
   fault.expectRefusal(AlphaAtStart::stress_balance, "Node 0 there is no normal stress");
   Kokkos::deep_copy(fault.w, 0);
   fault.expectRefusal(AlphaAtStart::steady, "Node 0 the initial slip rate is zero");
+  fault.expectRefusal(AlphaAtStart::steady, "Give an initial velocity along the fault");
 }
 } // namespace asperity::dynamics

@@ -249,6 +249,19 @@ class Refusals(Geometry):
         self.assert_not_converted('Include "other.geo";\n' + square(), "SystemCall")
         self.assertFalse(pathlib.Path("was_run").exists())
 
+    def test_a_last_line_without_its_end(self):
+        """Gmsh reads its first statement alone: the size of the body would be another one."""
+        self.convert(square() + "Mesh.Binary = 1; // a comment")
+        self.convert(square() + "Mesh.Binary = 1; Mesh.ScalingFactor = 1000;\n")
+        self.assertIn("x from 0 to 4000 m", self.assert_done(
+            "convert", "case.geo", "case.h5", "--overwrite"))
+        script = square() + "Mesh.Binary = 1; Mesh.ScalingFactor = 1000; // m"
+        pieces = ("no newline at the end of the last line", "only 'Mesh.Binary = 1;'",
+                  "Add a newline")
+        self.assert_not_converted(script, "'bad.geo'", *pieces)
+        pathlib.Path("other.geo").write_text(script)
+        self.assert_not_converted('Include "other.geo";\n', "'other.geo'", *pieces)
+
     def test_faults_that_cross(self):
         crossing = square("Point(7) = {2, 0, 0.0};").replace(
             "Point(5) = {1, 1, 0}; Point(6) = {4, 1 + 3 * slope, 0};",

@@ -70,11 +70,11 @@ def contents(name):
 
 class Case(mesh_tool.Case):
     def convert(self, text, *options, name="case.geo"):
-        pathlib.Path(name).write_text(text)
+        pathlib.Path(name).write_text(text + "\n")
         return self.assert_done("convert", name, "case.h5", "--overwrite", *options)
 
     def save(self, text, target, parts=0):
-        pathlib.Path("gmsh.geo").write_text(text)
+        pathlib.Path("gmsh.geo").write_text(text + "\n")
         script = pathlib.Path(__file__).with_name("gmsh_program.py")
         subprocess.run([sys.executable, script, library(), "gmsh.geo", target, str(parts)],
                        check=True, timeout=time_limits.seconds(60), capture_output=True)
@@ -175,7 +175,7 @@ class WhatGmshSaves(Case):
     def test_fields_that_wait_for_each_other(self):
         """Gmsh 4.8 hangs; here the script ends before it meshes."""
         fields = ('Field[1] = MathEval; Field[1].F = "1 + 0.1 * x * x"; Field[2] = KIND; '
-                  'Field[2].F = "F1 + 0.1"; Mesh.ElementOrder = 1;')
+                  'Field[2].F = "F1 + 0.1"; Mesh.ElementOrder = 1;\n')
         pathlib.Path("wait.geo").write_text(NAMED + fields.replace("KIND", "MathEval"))
         result = mesh_tool.run("convert", "wait.geo", "case.h5", "--overwrite")
         self.assertEqual(result.returncode, 0, result.stderr)  # no background field

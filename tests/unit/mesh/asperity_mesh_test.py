@@ -178,13 +178,30 @@ class Convert(mesh_tool.Case):
             self.assertEqual(set(file["boundaries"]), {"base", "boundary_2"})
             self.assertEqual(set(file["region_names"].asstr()), {"lower", "region_4"})
 
+    def test_facets_in_two_groups(self):
+        """Format 2.2 has them once for each group, and gives all copies to each."""
+        pathlib.Path("square.msh").write_text(
+            msh(names=NAMES + '1 5 "most"\n',
+                elements=[*ELEMENTS, "9 1 2 5 1 2 3", "10 1 2 5 2 3 5"]))
+        self.assert_done("convert", "square.msh", "square.h5")
+        with h5py.File("square.h5") as file:
+            facets = {name: sorted(map(sorted, group["facets"][:].tolist()))
+                      for name, group in file["boundaries"].items()}
+        self.assertEqual(facets, {"base": [[0, 1]], "sides": [[0, 3], [1, 2], [2, 3]],
+                                  "most": [[0, 1], [1, 2]]})
+
     def test_missing_groups(self):
         no_curves = [e.replace(" 1 2 1 ", " 1 2 0 ").replace(" 1 2 2 ", " 1 2 0 ")
                      for e in ELEMENTS]
-        self.assert_not_converted(msh(elements=no_curves), "has no physical Curve")
+        self.assert_not_converted(msh(names="", elements=no_curves), "has no physical Curve")
+        self.assert_not_converted(msh(elements=no_curves), "has names of physical Curves",
+                                  "Mesh.SaveAll")
         no_surfaces = ELEMENTS[:4] + [e.replace(" 2 2 3 ", " 2 2 0 ").replace(" 2 2 4 ", " 2 2 0 ")
                                       for e in ELEMENTS[4:]]
-        self.assert_not_converted(msh(elements=no_surfaces), "has no physical Surface")
+        self.assert_not_converted(msh(names="", elements=no_surfaces), "has no physical Surface")
+        self.assert_not_converted(msh(elements=no_surfaces), "has names of physical Surfaces",
+                                  "nothing in the mesh belongs to one", "Mesh.SaveAll = 0",
+                                  "Mesh.MshFileVersion = 4.1")
         some = ELEMENTS[:6] + [e.replace(" 2 2 4 ", " 2 2 0 ") for e in ELEMENTS[6:]]
         self.assert_not_converted(msh(elements=some), "Surface 2 has cells but is in no physical")
 
@@ -196,7 +213,12 @@ class Convert(mesh_tool.Case):
         inside = ELEMENTS[:1] + ["2 1 2 2 2 3 8"] + ELEMENTS[2:]
         self.assert_not_converted(msh(elements=inside), "boundary 'sides'", "inside the body")
         outside = ["1 1 2 1 1 2 9"] + ELEMENTS[1:]
-        self.assert_not_converted(msh(elements=outside), "'base' has node 9", "no cell")
+        self.assert_not_converted(msh(elements=outside), "facets of 'base' are not sides of cells",
+                                  "node 9 belongs to no cell", "Curve{...} In Surface{...}",
+                                  "BooleanFragments")
+        across = ["1 1 2 1 1 2 5"] + ELEMENTS[1:]
+        self.assert_not_converted(msh(elements=across), "boundary 'base'",
+                                  "not a facet of any cell", "Curve{...} In Surface{...}")
 
     def test_a_hanging_vertex(self):
         """Beside an edge that is divided on one side alone."""

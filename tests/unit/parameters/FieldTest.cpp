@@ -216,10 +216,13 @@ void writeDataset(std::string const& file_name, std::string const& name,
 {
   const hid_t file = H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
   const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+  const hid_t links = H5Pcreate(H5P_LINK_CREATE);
+  H5Pset_create_intermediate_group(links, 1);
   const hid_t dataset =
-    H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, links, H5P_DEFAULT, H5P_DEFAULT);
   H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
   H5Dclose(dataset);
+  H5Pclose(links);
   H5Sclose(space);
   H5Fclose(file);
 }
@@ -284,7 +287,11 @@ TEST(FieldDataset, Refusals)
   expectRefusal([&] { fieldOf(directory.file("data/field.h5") + ":/a"); },
                 {"data does not exist; "});
   expectRefusal([&] { fieldOf("none/field.h5:/a"); }, {"relative to the deck's folder"});
-  for (std::string const name : {"friction.csv", "data/friction.nc", "a.txt"}) {
+  writeDataset(file, "layer/b", {1, 2}, {2});
+  expectRefusal([&] { fieldOf(file + ":/layer"); },
+                {"Friction / a", "'/layer' is a group, not a dataset", "It has 'b'."});
+  for (std::string const name :
+       {"friction.csv", "data/friction.nc", "a.txt", "s.h5:good", "s.h5/good"}) {
     expectRefusal([&] { fieldOf(name); }, {"Friction / a = '" + name + "'", "name of a file",
                                            "'file.h5:/dataset'", "one number for each vertex"});
   }

@@ -66,7 +66,7 @@ TEST(CommandLine, ARestartTakesFromTheRunWhatIsNotGiven)
   EXPECT_EQ(std::filesystem::path(line.restart), std::filesystem::path(run) / "checkpoint.h5");
   EXPECT_TRUE(std::filesystem::equivalent(line.output, run));
 
-  const auto file = directory.file("older.h5");
+  const auto file = directory.write("older.h5", "");
   line = parse({"--restart", file.c_str()});
   completeRestart(line);
   EXPECT_EQ(line.restart, file);
@@ -77,9 +77,13 @@ TEST(CommandLine, ARestartTakesFromTheRunWhatIsNotGiven)
   EXPECT_EQ(line.deck, "deck.xml");
   EXPECT_EQ(line.output, "out");
 
+  std::filesystem::remove(directory.file("parameters.xml"));
+  line = parse({"--restart", file.c_str()});
+  expectRefusal([&] { completeRestart(line); },
+                {"--restart " + file, "parameters.xml", "not there", "name the deck"});
   line = parse({"--restart", "nowhere"});
   expectRefusal([&] { completeRestart(line); },
-                {"--restart nowhere", "./parameters.xml", "not there", "name the deck"});
+                {"--restart nowhere: there is no such directory or file", "checkpoint.h5"});
 }
 
 // What Kokkos knows, MpiScope has taken out: unit.base.Guard.

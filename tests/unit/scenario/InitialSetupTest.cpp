@@ -6,6 +6,7 @@
 
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::scenario
@@ -141,5 +142,38 @@ TEST(InitialSetup, TakesThePrescribedSlipRateWhereTheFaultEnds)
   EXPECT_NEAR(slipRates(problem)[0], 1e-9, 1e-24);
   EXPECT_NEAR(slipRates(problem)[1], plate_rate, 1e-18);
   EXPECT_NEAR(valuesOf(problem.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);
+}
+
+TEST(InitialSetup, WarnsOfAVelocityThatMovesBothSidesOfAFault)
+{
+  const auto warns = [](std::function<void(ParameterList&)> const& change) {
+    const auto deck = strip([&](ParameterList& given) {
+      auto& conditions = given.sublist("Boundary Conditions");
+      conditions.sublist("Fault").set("Boundary", "main").set("Type", "Two-Sided Fault");
+      for (std::string const side : {"top", "bottom"}) {
+        conditions.sublist(side).set("Boundary", side).set("Type", "Fixed");
+      }
+      given.sublist("Mesh").sublist("Faults").set("main", "abs(y - 1) < 1e-6");
+      given.sublist("Bulk").set("Dynamics", "Quasi-dynamic");
+      change(given);
+    });
+    const auto problem = makeProblem<2>(deck, world());
+    return std::any_of(problem.warnings.begin(), problem.warnings.end(),
+                       [](Warning const& warning) { return warning.topic == "initial velocity"; });
+  };
+  const auto moves = [](ParameterList& deck) {
+    deck.sublist("Initial State").set("Velocity Z", 1e-9);
+  };
+  EXPECT_TRUE(warns(moves));
+  EXPECT_FALSE(warns([](ParameterList&) {})) << "at rest";
+  EXPECT_FALSE(warns([&](ParameterList& deck) {
+    moves(deck);
+    deck.sublist("Initial State").set("Slip Rate", 1e-9);
+  }));
+  EXPECT_FALSE(warns([&](ParameterList& deck) {
+    moves(deck);
+    deck.sublist("Bulk").set("Dynamics", "Inertial");
+  }))
+    << "it may be a wave";
 }
 } // namespace asperity::scenario

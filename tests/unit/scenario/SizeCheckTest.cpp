@@ -59,6 +59,13 @@ std::vector<std::string> texts(BodySize const& size,
   }
   return found;
 }
+
+bool warns(ParameterList const& deck, std::string const& topic)
+{
+  const auto warnings = describe(makeProblem<2>(deck, world()), deck).warnings;
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](Warning const& warning) { return warning.topic == topic; });
+}
 } // namespace
 
 TEST(SizeCheck, IsSilentForRockInMetres)
@@ -126,14 +133,37 @@ TEST(SizeCheck, KnowsTheBodyOfADeck)
   EXPECT_DOUBLE_EQ(size.cell_time, std::sqrt(2) / speed);
   EXPECT_EQ(size.smallest_step, 1e-3);
   EXPECT_EQ(size.final_time, 10);
-  const auto warns = [&](ParameterList const& of) {
-    const auto warnings = describe(makeProblem<2>(of, world()), of).warnings;
-    return std::any_of(warnings.begin(), warnings.end(),
-                       [](Warning const& warning) { return warning.topic == "size of the body"; });
-  };
-  EXPECT_FALSE(warns(deck));
+  EXPECT_FALSE(warns(deck, "size of the body"));
   EXPECT_TRUE(warns(strip([](ParameterList& given) {
-    given.sublist("Mesh").sublist("Rectangle").set("Width", 2e-3).set("Height", 2e-3);
-  })));
+                      auto& rectangle = given.sublist("Mesh").sublist("Rectangle");
+                      rectangle.set("Width", 2e-3).set("Height", 2e-3);
+                    }),
+                    "size of the body"));
+}
+
+TEST(SizeCheck, DoesNotBlameTheMeshForANormalStressInAnotherUnit)
+{
+  const auto deck =
+    strip([](ParameterList& given) { given.sublist("Friction").set("Normal Stress", 1e-2); });
+  EXPECT_TRUE(warns(deck, "normal stress"));
+  EXPECT_FALSE(warns(deck, "size of the body"));
+}
+
+// A fault of 2 m along which slip is prescribed for 10 s.
+TEST(SizeCheck, PrescribedSlipOfMoreThanAFewPercent)
+{
+  const auto slips = [](std::string const& rate) {
+    return warns(strip([&](ParameterList& given) {
+                   given.sublist("Mesh").sublist("Faults").set("main", "abs(y - 1) < 1e-6");
+                   auto& fault = given.sublist("Boundary Conditions").sublist("Fault");
+                   fault.set("Boundary", "main").set("Type", "Prescribed Slip Rate");
+                   fault.set("Slip Rate", rate);
+                 }),
+                 "prescribed slip");
+  };
+  EXPECT_TRUE(slips("0.0101"));
+  EXPECT_FALSE(slips("0.0099"));
+  EXPECT_TRUE(slips("-0.03 * (1 - x / 2) * (t < 5)")) << "0.15 m at x = 0";
+  EXPECT_FALSE(slips("t == 10 * 63.5 / 128 ? 100 : 0")) << "a pulse in one of the times";
 }
 } // namespace asperity::scenario
