@@ -1,5 +1,6 @@
 #include "parameters/fields/TimesInFormula.hpp"
 
+#include "base/Errors.hpp"
 #include "parameters/fields/Expression.hpp"
 
 #include <algorithm>
@@ -55,8 +56,12 @@ std::optional<double> constant(std::string const& formula)
   if (formula.empty()) {
     return std::nullopt;
   }
-  auto const values = Expression::constants(formula, "a time");
-  return values ? std::optional(values->front()) : std::nullopt;
+  try {
+    auto const values = Expression::constants(formula, "a time");
+    return values ? std::optional(values->front()) : std::nullopt;
+  } catch (InputError const&) { // the text is no formula, but a name as "wall-t"
+    return std::nullopt;
+  }
 }
 
 // Whether the first part is a parenthesis that the last one closes.

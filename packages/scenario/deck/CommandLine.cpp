@@ -74,7 +74,7 @@ void completeRestart(CommandLine& line)
     return;
   }
   std::error_code ignored;
-  ASPERITY_REQUIRE(fs::exists(line.restart, ignored),
+  ASPERITY_REQUIRE(!line.deck.empty() || fs::exists(line.restart, ignored),
                    "--restart " << line.restart
                                 << ": there is no such directory or file. Give the directory of a "
                                    "run, which has parameters.xml and checkpoint.h5, or a "

@@ -6,6 +6,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "parameters/ParameterValue.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
@@ -144,10 +145,11 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
   if (!hasGivenEntry(list)) {
     return std::nullopt;
   }
-  const bool with_normal = isGiven(friction, "Normal Stress") &&
-                           std::any_of(diagonal.begin(), diagonal.end(), [&list](int k) {
-                             return isGiven(list, component_names[k]);
-                           });
+  // An antiplane model takes the mean of the diagonal alone, which need not be the normal stress.
+  const bool with_normal =
+    isGiven(friction, "Normal Stress") && displacementComponents(deck.sublist("Bulk")) > 1 &&
+    std::any_of(diagonal.begin(), diagonal.end(),
+                [&list](int k) { return isGiven(list, component_names[k]); });
   auto const& communicator = *surface.communicator();
   std::array<std::vector<double>, 6> stress;
   std::vector<double> normal(surface.numNodes(), 0.);

@@ -41,8 +41,8 @@ private:
 // `Initial Stress`, differs by more than 1 % from the deck's `Shear Traction`(num_nodes, T) [Pa] or
 // `Normal Stress` over more than half of where the fault slides beside rock that takes that stress;
 // an overstressed patch is smaller. Both are evaluated at the nodes, so that they agree to rounding
-// however coarse the mesh is. The normal stress counts if both lists give it. nodes: those of the
-// surface. Collective.
+// however coarse the mesh is. The normal stress counts if both lists give it, and not antiplane.
+// nodes: those of the surface. Collective.
 template <int Dim>
 std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> const& mesh,
                                            fem::YieldingRock const& rock, FieldNodes const& nodes,

@@ -34,9 +34,9 @@ bool isLeftOut(ParameterList const& list, std::string const& name);
 // to the outward normal of the free surface, or that normal itself if it is more than 40 degrees
 // from all axes; without a free surface that faces somewhere, the same of the vector against
 // gravity, if the deck gives its direction; or else, in three dimensions where gravity acts, the
-// same of the boundaries that nothing holds, if they face one way: `open`, those without a condition
-// or under a traction. Otherwise it is +y. Throws InputError where two of free surface, gravity and
-// `Up` contradict each other.
+// same of the boundaries that nothing holds, those without a condition or under a traction (open),
+// if they face one way. Otherwise it is +y. Throws InputError where two of free surface, gravity
+// and `Up` contradict each other.
 Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
                   FreeSurface const& open = {});
 

@@ -109,7 +109,8 @@ class Up(unittest.TestCase):
 
     def test_a_default_is_a_warning(self):
         """Two sides under a pressure face two ways."""
-        warning = "WARNING: Gravity acts, and nothing says which way is up: it is taken as {0, 1, 0}"
+        warning = ("WARNING: Gravity acts, and nothing says which way is up: it is taken as "
+                   "{0, 1, 0}")
         two = self.loaded("Surface", "Left")
         self.assertIn(warning, "\n".join(lines_of(BURIED, *two)))
         for silent in ([*two, *self.UPRIGHT], self.loaded("Surface"),

@@ -216,9 +216,13 @@ TEST(Wells, AreRefusedByNameOffTheFault)
     completeAndValidate(list, *valid, "Friction");
     return Wells(list.sublist("Wells"), "Friction / Wells", *line.mesh);
   };
-  test::expectRefusal([&] { make({0.5, 0.11}); }, {"Friction / Wells / GPK 1", "0.11 m", "0.1 m"});
+  test::expectRefusal(
+    [&] {
+      make({0.5, 0.0011});
+    },
+    {"Friction / Wells / GPK 1", "0.0011 m", "0.1 m"});
   test::expectRefusal([&] { make({0.5, 0, 0}); }, {"GPK 1 / Place", "3 numbers"});
-  const auto well = make({0.52, 0.09});
+  const auto well = make({0.52, 0.0009});
   for (const double t : {1., 3.}) {
     std::vector<double> rates(line.S.size(), 0.);
     well.add(t, rates);

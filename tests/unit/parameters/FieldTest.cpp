@@ -245,6 +245,7 @@ TEST(TimesInFormula, AreThoseOfPulses)
   using Times = std::vector<double>;
   EXPECT_EQ(timesShiftedIn("exp(-((t - 5.3e6) / 10)^2) / (10 * sqrt(pi))"), Times{5.3e6});
   EXPECT_EQ(timesShiftedIn("max(0, 1 - abs(60 - t) / 5) + x * sin(t + 2 * 3)"), (Times{60, -6}));
+  EXPECT_EQ(timesShiftedIn("wall-t"), Times{}); // the name of a boundary
   EXPECT_EQ(timesShiftedIn("sin(2 * pi * t) + t * (x - t) + 2 * t - 3 + tanh(t)"), Times{});
 }
 

@@ -58,7 +58,12 @@ TEST(FaultKind, IsOneFile)
   const auto deck = column([](ParameterList& given) {
     auto& conditions = given.sublist("Boundary Conditions");
     conditions.sublist("Fault").set("Type", "Threefold Fault");
-    conditions.sublist("Left").set("Type", "Prescribed Slip Rate").set("Slip Rate", 6.);
+    given.sublist("Mesh").sublist("Rectangle").set("Cells X", 8);
+    given.sublist("Bulk").set("Gravitational Acceleration", 0.);
+    given.sublist("Initial State").set("Displacement", "Zero");
+    given.sublist("Mesh").sublist("Boundaries").set("deep", "y < 1e-9 && abs(x - 1) < 0.6");
+    conditions.sublist("Deep").set("Boundary", "deep").set("Type", "Prescribed Slip Rate");
+    conditions.sublist("Deep").set("Slip Rate", 6.);
     given.sublist("Friction").set("Normal Stress", 1e4);
   });
   const auto result = makeBoundaryConditions<2>(deck.sublist("Boundary Conditions"), 2);
@@ -68,13 +73,13 @@ TEST(FaultKind, IsOneFile)
   EXPECT_EQ(problem.surface->slipFactor(), 3);
 
   for (auto const& condition : result.velocities) {
-    if (condition.name == "Asperity / Boundary Conditions / Left" &&
+    if (condition.name == "Asperity / Boundary Conditions / Deep" &&
         std::holds_alternative<fem::SlipAlongTangent<2>>(condition.kind)) {
       EXPECT_EQ(condition.velocity({0, 0}, 0), 2) << "slip rate 6 = 3 v_t";
       return;
     }
   }
-  FAIL() << "nothing slips on the left";
+  FAIL() << "nothing slips at depth";
 }
 
 // Both have the same values but for the factor.

@@ -137,7 +137,7 @@ def asked_and_refused():
         ({f"{PORE}/Fluid Viscosity": -1}, "Fluid Viscosity"),
         ({f"{PORE}/Wells/W1/Place": "{0, 150}"}, "Wells / W1 is at (0, 150), 150 m"),
         ({f"{PORE}/Wells/W1/Place": "{0, 5}"}, "Wells / W1 is at (0, 5), 5 m"),
-        ({f"{PORE}/Fixed Where": "y < -20e3"}, "Fixed Where = 'y < -20e3' is above zero at no node"),
+        ({f"{PORE}/Fixed Where": "y < -2e4"}, "Fixed Where = 'y < -2e4' is above zero at no node"),
         ({f"{PORE}/Wells/W1/Place": "{0, 0, 0}"}, "has 3 numbers")))]
 
 
