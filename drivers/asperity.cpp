@@ -48,22 +48,22 @@ int main(int argc, char** argv)
   return asperity::runGuarded(*communicator, [&] {
     // 2. Read the command line.
     auto command_line = asperity::parseCommandLine(argc, argv);
-    const bool speaks = communicator->getRank() == 0;
+    const bool is_root = communicator->getRank() == 0;
     if (command_line.help) {
-      if (speaks) {
+      if (is_root) {
         asperity::printHelp(std::cout);
       }
       return int(asperity::exit_done);
     }
     if (command_line.version) {
-      if (speaks) {
+      if (is_root) {
         asperity::scenario::printEnvironment(*communicator, std::cout);
       }
       return int(asperity::exit_done);
     }
     asperity::loadPlugins(command_line.plugins, asperity::scenario::registrations);
     if (command_line.print_parameters) {
-      if (speaks) {
+      if (is_root) {
         asperity::printParameters(*asperity::scenario::deckParameters(), std::cout,
                                   command_line.format);
       }

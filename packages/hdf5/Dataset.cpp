@@ -39,12 +39,12 @@ Shape Dataset::shape() const { return shapeOf(space(), what_); }
 
 std::size_t Dataset::numValues() const
 {
-  requireRoom();
+  requireStorage();
   const Shape all = shape();
   return std::accumulate(all.begin(), all.end(), std::size_t(1), std::multiplies<>());
 }
 
-void Dataset::requireRoom() const
+void Dataset::requireStorage() const
 {
   const Handle properties = opened("Asking the layout of " + what_, H5Pclose,
                                    [&] { return H5Dget_create_plist(handle_.get()); });

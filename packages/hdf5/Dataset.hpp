@@ -65,7 +65,7 @@ public:
   // Throws Error if the file is too small for values of this shape, because the shape is damaged.
   // Call this before memory is allocated for the values; the functions here that return whole
   // datasets do so.
-  void requireRoom() const;
+  void requireStorage() const;
 
   // All values.
   template <class Number>

@@ -45,8 +45,8 @@ double sumOnNode(double mine, Communicator const& communicator)
 } // namespace
 
 template <int Dim>
-void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
-                 std::string const& where)
+void requireMemory(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
+                   std::string const& where)
 {
   const double growth = std::pow(2.0, static_cast<double>(Dim) * refinements);
   const double mine = growth * shareOfCells(part);
@@ -73,6 +73,6 @@ void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& com
                                      << " GB. Refine less often, or use more machines.");
 }
 
-template void requireRoom(Mesh<2> const&, int, Communicator const&, std::string const&);
-template void requireRoom(Mesh<3> const&, int, Communicator const&, std::string const&);
+template void requireMemory(Mesh<2> const&, int, Communicator const&, std::string const&);
+template void requireMemory(Mesh<3> const&, int, Communicator const&, std::string const&);
 } // namespace asperity::refinement

@@ -9,8 +9,8 @@ namespace asperity::refinement
 // degrees of freedom are of type GlobalOrdinal, and the ranks of a node share its physical memory,
 // of which the mesh alone takes bytes_per_cell for each cell. Collective.
 template <int Dim>
-void requireRoom(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
-                 std::string const& where);
+void requireMemory(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
+                   std::string const& where);
 
 // Measured on large meshes of tetrahedra, at the peak of the last refinement (log/performance.md).
 constexpr double bytes_per_cell = 40;

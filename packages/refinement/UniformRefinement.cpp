@@ -59,7 +59,7 @@ Mesh<Dim> refineUniformly(Mesh<Dim> part, int refinements, Communicator const& c
   if (refinements == 0) {
     return part;
   }
-  requireRoom(part, refinements, communicator, where);
+  requireMemory(part, refinements, communicator, where);
   auto owners = ownersOf(part, communicator);
   detail::OwnedPart<Dim> refined{std::move(part), std::move(owners)};
   order(refined.mesh);

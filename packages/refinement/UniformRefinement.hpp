@@ -15,7 +15,7 @@ namespace asperity::refinement
 // all cells that touch its vertices, in no particular order.
 //
 // InputError on every rank, which starts with `where`, for less than zero refinements, if
-// requireRoom refuses, or if a vertex at a fault would need three copies. Collective.
+// requireMemory refuses, or if a vertex at a fault would need three copies. Collective.
 template <int Dim>
 Mesh<Dim> refineUniformly(Mesh<Dim> part, int refinements, Communicator const& communicator,
                           std::string const& where = "Mesh / Refinements");

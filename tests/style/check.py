@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the tree against one of the house rules in rules/; `check.py RULE [ROOT]`.
+"""Checks the tree against one of the rules of style in rules/; `check.py RULE [ROOT]`.
 
 Breaches are printed as file:line: text, and the exit status is 1 if there are any.
 """

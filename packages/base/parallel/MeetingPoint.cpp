@@ -19,7 +19,7 @@ MeetingPoint::~MeetingPoint()
   }
 }
 
-bool MeetingPoint::meet(double patience) const
+bool MeetingPoint::meet(double timeout) const
 {
   using Seconds = std::chrono::duration<double>;
   MPI_Request request;
@@ -30,7 +30,7 @@ bool MeetingPoint::meet(double patience) const
     if (all_here) {
       return true;
     }
-    if (patience >= 0.0 && Seconds(std::chrono::steady_clock::now() - start).count() > patience) {
+    if (timeout >= 0.0 && Seconds(std::chrono::steady_clock::now() - start).count() > timeout) {
       was_missed_ = true;
       return false;
     }

@@ -18,9 +18,9 @@ public:
   MeetingPoint(MeetingPoint const&) = delete;
   MeetingPoint& operator=(MeetingPoint const&) = delete;
 
-  // Waits until every rank is here, but at most `patience` seconds unless that is negative. False
+  // Waits until every rank is here, but at most `timeout` seconds unless that is negative. False
   // if the time has run out: then the program must end.
-  bool meet(double patience) const;
+  bool meet(double timeout) const;
 
   MPI_Comm communicator() const { return communicator_; }
 

@@ -61,9 +61,9 @@ void leaveIfHdf5Cannot(int status);
 // Runs `body` on every rank and returns the exit status of the program, the same on all ranks: the
 // largest that `body` returned or, after an exception, exitStatus of the exception on the lowest
 // rank that threw. Its message goes to stderr, once: "<program>: <message>". If some rank has
-// thrown and others have not finished `patience` seconds later, they may be waiting for it:
+// thrown and others have not finished `timeout` seconds later, they may be waiting for it:
 // MPI_Abort with the same status. If HDF5 holds files that it could not close, all ranks end there,
 // without MPI_Finalize. Collective.
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
-               std::string const& program = "asperity", double patience = 2.0);
+               std::string const& program = "asperity", double timeout = 2.0);
 } // namespace asperity

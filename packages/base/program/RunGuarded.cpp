@@ -60,7 +60,7 @@ public:
   {
   }
 
-  bool meet(double patience) const { return meeting_point_.meet(patience); }
+  bool meet(double timeout) const { return meeting_point_.meet(timeout); }
 
   // The program's status on every rank. Only the lowest rank that has thrown prints: where many
   // fail at once, each with a vertex of its own, one message is enough.
@@ -154,11 +154,11 @@ void leaveIfHdf5Cannot(int status)
 }
 
 int runGuarded(Communicator const& communicator, std::function<int()> const& body,
-               std::string const& program, double patience)
+               std::string const& program, double timeout)
 {
   const GuardCommunicator guard(communicator);
   const Outcome outcome = call(body);
-  if (!guard.meet(outcome.has_thrown ? patience : -1.0)) {
+  if (!guard.meet(outcome.has_thrown ? timeout : -1.0)) {
     guard.abort(outcome, program);
   }
   const int status = guard.agree(outcome, program);

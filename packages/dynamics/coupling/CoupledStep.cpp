@@ -160,7 +160,7 @@ void CoupledStep::evaluateLoads(double t0, double t1)
     stress_->evaluate(t0, t1);
     body_.prescribed_velocity(t1, *prescribed_);
     slips_beside_ = prescribedBesideSliding(surface(), *prescribed_, beside_);
-    stickToPlates(surface(), *prescribed_);
+    setZeroSlipRate(surface(), *prescribed_);
     body_.load(t1, *b_);
   });
 }
@@ -295,34 +295,34 @@ void CoupledStep::advanceInelastic(RateSolver& solver, State& to)
 // Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
 // factors, and more iterations for a state that still changes would be wasted. When the state has
 // converged, the rate problem is solved with it. The response of rock that yields takes the whole
-// body: it waits until the fault is at rest, or changes less than the rock did when last asked and
-// the rock is expected to change further.
+// body: it waits until the fault has converged, or changes less than the rock did when last asked
+// and the rock is expected to change further.
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
                                    SolveCount& count)
 {
   CoupledResult result;
   unknowns_.restart();
   double last_change = std::numeric_limits<double>::infinity();
-  bool at_rest = false;
-  while (at_rest || result.iterations < settings_.max_iterations) {
+  bool converged = false;
+  while (converged || result.iterations < settings_.max_iterations) {
     auto const given = fault_.given(to);
     const FrictionProblem friction = {fault_.friction(), given}; // of the whole slip rate
     FrictionProblem const problem = slips_beside_ ? friction.beside(beside_) : friction; // of w
-    result.iterations += at_rest ? 0 : 1;
-    count.rate_problems += at_rest ? 0 : 1;
-    auto const rate = at_rest ? solver.solve(problem) : solver.improve(problem);
+    result.iterations += converged ? 0 : 1;
+    count.rate_problems += converged ? 0 : 1;
+    auto const rate = converged ? solver.solve(problem) : solver.improve(problem);
     count.add(rate);
-    if (rate.failed() || (at_rest && !rate.converged)) {
+    if (rate.failed() || (converged && !rate.converged)) {
       result.status = StepStatus::rate_problem_failed;
       return result;
     }
     meanSlipRate(solver);
     const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, friction, to});
     const double of_fault = unknowns_.change(settings_.norm);
-    const bool fault_rests = rate.converged && of_fault <= settings_.tolerance;
+    const bool fault_converged = rate.converged && of_fault <= settings_.tolerance;
     const bool asks_rock =
-      inelastic_ && (fault_rests || (of_fault <= inelastic_->lastChange() &&
-                                     inelastic_->expectedChange() > settings_.tolerance));
+      inelastic_ && (fault_converged || (of_fault <= inelastic_->lastChange() &&
+                                         inelastic_->expectedChange() > settings_.tolerance));
     const double of_rock = asks_rock ? inelasticChange(from, tau, solver, to) : 0;
     const double change = std::max(of_fault, of_rock);
     if (!responded || !std::isfinite(of_fault) || !std::isfinite(of_rock)) {
@@ -333,8 +333,8 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       result.status = StepStatus::state_failed;
       return result;
     }
-    at_rest = change <= settings_.tolerance;
-    if (at_rest && rate.converged) {
+    converged = change <= settings_.tolerance;
+    if (converged && rate.converged) {
       Kokkos::deep_copy(to.alpha_of_rate, given.alpha);
       unknowns_.finish(to);
       if (inelastic_) {
@@ -342,7 +342,7 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       }
       return result;
     }
-    if (!at_rest) {
+    if (!converged) {
       if (of_fault > last_change) { // the remembered iterates point away from the fixed point
         unknowns_.restart();
       }

@@ -8,8 +8,7 @@ namespace asperity::dynamics
 {
 // The normal stress within a step. If it is fixed or lags, the step has its value from the start;
 // if it is coupled, it is an unknown that responds to the velocity with the reaction across the
-// fault. evaluate(), begin() and
-// setRightSide() open a step.
+// fault. evaluate(), begin() and setRightSide() open a step.
 class NormalStressUpdate final : public FaultUnknown
 {
 public:

@@ -133,7 +133,7 @@ void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& ra
     });
 }
 
-void stickToPlates(fem::FaultSurface const& surface, Vector& v)
+void setZeroSlipRate(fem::FaultSurface const& surface, Vector& v)
 {
   if (!surface.hasPlateRate()) {
     return;
@@ -144,7 +144,7 @@ void stickToPlates(fem::FaultSurface const& surface, Vector& v)
   auto const rates = surface.plateRates();
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
-    "asperity::dynamics::stickToPlates", RangePolicy(0, dofs.extent_int(0)),
+    "asperity::dynamics::setZeroSlipRate", RangePolicy(0, dofs.extent_int(0)),
     KOKKOS_LAMBDA(int node) {
       for (int k = 0; k < dofs.extent_int(1); ++k) {
         if (!held(dofs(node, k))) {

@@ -41,7 +41,7 @@ void setSlipRate(fem::FaultSurface const& surface, std::vector<double> const& ra
 
 // Sets v(owned dofs) to -Vp / slip factor where friction decides on the velocity: there a fault
 // that moves at v does not slip. Does nothing without a plate rate.
-void stickToPlates(fem::FaultSurface const& surface, Vector& v);
+void setZeroSlipRate(fem::FaultSurface const& surface, Vector& v);
 
 // Slip rates V(num_nodes) = slip factor |w|, where v holds the w(num_nodes, T) of gatherSlip. Runs
 // on the device.

@@ -74,8 +74,7 @@ public:
   static std::string meaning()
   {
     return "This list describes a fluid in the fault, whose pressure diffuses along it and is "
-           "taken "
-           "off the normal stress. Permeability, Storage and Width are required with it.";
+           "taken off the normal stress. Permeability, Storage and Width are required with it.";
   }
 
   PorePressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)

@@ -45,8 +45,8 @@ inline constexpr Parameter yield_relaxation = {
 // step: if it fell within one, so would t1(t), and J would not be convex.
 KOKKOS_INLINE_FUNCTION double softened(double residual, double softening, Trial const& trial)
 {
-  const double way = trial.shear < softening ? trial.shear / softening : 1;
-  return 1 - (1 - residual) * way;
+  const double softening_fraction = trial.shear < softening ? trial.shear / softening : 1;
+  return 1 - (1 - residual) * softening_fraction;
 }
 
 // t1 where the yield stress is `strength` [Pa] without inelastic shear and has a slope H [Pa], and

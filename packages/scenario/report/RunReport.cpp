@@ -246,7 +246,7 @@ std::optional<Warning> warnOfDefect(dynamics::Energy const& energy)
 
 Warning warnOfRises(std::int64_t rises)
 {
-  return {"rises of J",
+  return {"energy increase",
           "J grew in " + std::to_string(rises) +
             " sweeps or corrections of TNNMG (energy_rises in steps.csv) by more than rounding. J "
             "is the energy that every time step minimises; it must fall. Results of these steps "

@@ -102,7 +102,7 @@ private:
   std::int64_t forced_steps_ = 0;
   FloorCount floor_count_;
   std::vector<Warning> warnings_;
-  std::int64_t rises_to_tell_ = 1; // number of rises of J at which the next warning comes
+  std::int64_t rises_to_tell_ = 1; // number of increases of J at which the next warning comes
   std::optional<dynamics::GrowthWatch> growth_watch_;
   std::optional<dynamics::SlowSlip> slow_slip_;
   dynamics::RingWatch ring_watch_;

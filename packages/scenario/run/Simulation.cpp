@@ -31,7 +31,7 @@ namespace asperity::scenario
 namespace
 {
 // [s] that ranks wait for each other after a failure.
-constexpr double patience = 2;
+constexpr double timeout = 2;
 
 io::ExistingResult existingResult(CommandLine const& command_line)
 {
@@ -245,7 +245,7 @@ void SimulationOf<Dim>::warnOfEvolution()
 template <int Dim>
 void SimulationOf<Dim>::endEarly(std::exception const& error)
 {
-  if (meeting_point_.meet(patience)) {
+  if (meeting_point_.meet(timeout)) {
     saveWhatThereIs();
   }
   record_->fail(error);

@@ -1,1 +1,1 @@
-"""One module per house rule; each has check(root), which returns the breaches as lines of text."""
+"""One module per rule of style; each has check(root), which returns the breaches as lines."""

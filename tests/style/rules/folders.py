@@ -1,4 +1,4 @@
-"""Folders are rooms: no two of a package include each other, directly or in a circle of several.
+"""No two folders of a package include each other, directly or in a circle of several.
 
 The folder detail/ of a folder is a part of it.
 """
@@ -14,20 +14,20 @@ def check(root):
     return [breach for package in packages for breach in _breaches(root, package)]
 
 
-def _room(parts):
+def _folder(parts):
     return "/".join(part for part in parts if part != "detail")
 
 
 def _breaches(root, package):
-    includes = collections.defaultdict(list)  # (from room, to room) -> [(file, line, header)]
+    includes = collections.defaultdict(list)  # (from folder, to folder) -> [(file, line, header)]
     for path in source.files(root, [f"packages/{package}"], source.CXX):
-        here = _room(path.relative_to(root / "packages").parts[:-1])
+        here = _folder(path.relative_to(root / "packages").parts[:-1])
         text = source.without_comments(path.read_text())
         for match in QUOTED.finditer(text):
             *folders, _ = match.group(1).split("/")
-            if folders[:1] == [package] and _room(folders) != here:
+            if folders[:1] == [package] and _folder(folders) != here:
                 line = source.line_of(text, match.start(1))
-                includes[here, _room(folders)].append((path, line, match.group(1)))
+                includes[here, _folder(folders)].append((path, line, match.group(1)))
     seen = _seen_from(includes)
     for (here, there), places in sorted(includes.items()):
         if here in seen[there]:
@@ -37,7 +37,7 @@ def _breaches(root, package):
 
 
 def _seen_from(edges):
-    """{room: all rooms that it includes, itself or through others}."""
+    """{folder: all folders that it includes, itself or through others}."""
     seen = collections.defaultdict(set)
     for here, there in edges:
         seen[here].add(there)

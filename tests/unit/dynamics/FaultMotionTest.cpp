@@ -216,7 +216,7 @@ TEST(FaultMotion, AFaultThatSticksToItsPlatesDoesNotSlip)
   v.replaceLocalValue(3, 0); // held
   auto const fault =
     makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 0.1, 0, 0, 0.3});
-  stickToPlates(*fault, v);
+  setZeroSlipRate(*fault, v);
   EXPECT_EQ(testing::peakSlipRateAt(*fault, v), 0);
   EXPECT_EQ(v.getData()[0], -1.5);
   EXPECT_EQ(v.getData()[3], 0);

@@ -19,9 +19,9 @@ TEST(RunJournal, WritesALineForEachEvent)
     progress.num_events = 3;
     progress.left = {60, true};
     journal.progress(progress);
-    journal.warn({"rises of J", "a \"word\""});
+    journal.warn({"energy increase", "a \"word\""});
     journal.end("stopped", 4, "", 13.5);
-    EXPECT_EQ(journal.topics().count("rises of J"), 1u);
+    EXPECT_EQ(journal.topics().count("energy increase"), 1u);
   }
   world()->barrier();
   const std::string text = test::contents(directory / "run.jsonl");
@@ -30,7 +30,7 @@ TEST(RunJournal, WritesALineForEachEvent)
     "\"peak_slip_rate\": 1e-09}\n"
     "{\"event\": \"progress\", \"step\": 7, \"time\": 0.5, \"wall_time\": 12.5, "
     "\"peak_slip_rate\": 1e-09, \"events\": 3, \"seconds_left\": 60, \"knows_cycles\": true}\n"
-    "{\"event\": \"warning\", \"step\": 7, \"time\": 0.5, \"topic\": \"rises of J\", "
+    "{\"event\": \"warning\", \"step\": 7, \"time\": 0.5, \"topic\": \"energy increase\", "
     "\"text\": \"a \\\"word\\\"\"}\n"
     "{\"event\": \"end\", \"step\": 7, \"time\": 0.5, \"how\": \"stopped\", \"exit_status\": 4, "
     "\"message\": \"\", \"wall_time\": 13.5}\n";
@@ -47,7 +47,7 @@ TEST(RunRecord, ARestartRepeatsTheWarningsOfTheRunBeforeUnlessTheyAreNewAgain)
     before.at(7, 0.5);
     before.warn({"hidden growth", "1 step."});
     before.save(archive);
-    before.warn({"rises of J", "after the checkpoint."});
+    before.warn({"energy increase", "after the checkpoint."});
   }
   world()->barrier();
   {

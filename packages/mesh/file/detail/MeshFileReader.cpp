@@ -112,7 +112,7 @@ h5::Dataset MeshFileReader::datasetOf(std::string const& path, std::size_t colum
                                   << '.');
   ASPERITY_REQUIRE(shape[0] < static_cast<hsize_t>(std::numeric_limits<int>::max()),
                    where_ << ": dataset '" << path << "' is too long: " << shape[0] << " rows.");
-  dataset.requireRoom();
+  dataset.requireStorage();
   return dataset;
 }
 
@@ -121,7 +121,7 @@ hsize_t MeshFileReader::numRows(std::string const& path) const
   const h5::Dataset dataset = open(path);
   h5::Shape shape;
   refuseIfUnreadable(path, [&] {
-    dataset.requireRoom();
+    dataset.requireStorage();
     shape = dataset.shape();
   });
   return shape.empty() ? 0 : shape[0];

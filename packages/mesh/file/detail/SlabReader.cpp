@@ -64,7 +64,7 @@ std::optional<h5::Dataset> SlabReader::openValues(std::string const& path, hsize
 {
   try {
     h5::Dataset values = file_->openDataset(path);
-    values.requireRoom();
+    values.requireStorage();
     const h5::Shape shape = values.shape();
     const bool is_fit = columns == 0 ? shape.size() == 1 : shape.size() == 2 && shape[1] == columns;
     return is_fit ? std::optional<h5::Dataset>(std::move(values)) : std::nullopt;
