@@ -3,13 +3,35 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "parameters/fields/TimesInFormula.hpp"
+#include "scenario/setup/NodalField.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace asperity::scenario
 {
+template <int Dim>
+std::vector<std::array<double, 3>> placesOfLoads(Problem<Dim> const& problem)
+{
+  constexpr std::size_t most = 100; // of each kind
+  std::vector<std::array<double, 3>> places;
+  auto const& nodes = *problem.surface;
+  const int num_nodes = nodes.numNodes();
+  for (int node = 0; node < num_nodes; node += 1 + num_nodes / static_cast<int>(most)) {
+    places.push_back(nodes[node].place);
+  }
+  auto const& vertices = problem.mesh.vertices;
+  for (std::size_t v = 0; v < vertices.size(); v += 1 + vertices.size() / most) {
+    places.push_back(inSpace<Dim>(vertices[v]));
+  }
+  return places;
+}
+
+template std::vector<std::array<double, 3>> placesOfLoads(Problem<2> const&);
+template std::vector<std::array<double, 3>> placesOfLoads(Problem<3> const&);
+
 SkippedTimes::SkippedTimes(ParameterList const& deck, std::vector<std::array<double, 3>> places,
                            RCP<const Communicator> communicator)
     : places_(std::move(places))

@@ -4,6 +4,7 @@
 #include "base/Warning.hpp"
 #include "parameters/Parameters.hpp"
 #include "parameters/fields/Expression.hpp"
+#include "scenario/Problem.hpp"
 
 #include <array>
 #include <memory>
@@ -13,6 +14,10 @@
 
 namespace asperity::scenario
 {
+// Some places of this rank at which loads act: at most a hundred at the fault, as many in the body.
+template <int Dim>
+std::vector<std::array<double, 3>> placesOfLoads(Problem<Dim> const& problem);
+
 // Notes steps that pass a pulse of a load, of which no error estimate knows: as a push of ten
 // seconds in a step of a day. Two kinds are found: a step passes two times with which expressions
 // of the deck compare t (timesComparedIn), or a time around which an expression is centred

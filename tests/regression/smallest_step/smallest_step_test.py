@@ -54,7 +54,9 @@ class SmallestStep(unittest.TestCase):
                     self.assertEqual(facts(folder, 1800.0).state, "failed")
 
     def test_a_slip_rate_that_rings_is_told(self):
-        """Newmark's scheme damps nothing, and its cycle is too short; the deck's own damps."""
+        """Newmark's scheme damps nothing, and its cycle is too short; the deck's own damps.
+
+        The limit of 2 % was chosen after a run, in which the cycle was 2.8 % too short."""
         onsets = {}
         for scheme in ("Newmark", "Generalised Alpha"):
             folder, result = run(f"ringing_{scheme.split()[0]}", *settings(
