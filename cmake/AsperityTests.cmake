@@ -137,7 +137,9 @@ endfunction()
 # environment has ASPERITY_SOURCE_DIR, ASPERITY_BUILD_DIR (programs in drivers/), ASPERITY_MPIEXEC
 # (the command before the number of ranks) and tests/support on PYTHONPATH.
 # With CONFIGURATIONS it runs only if `ctest -C` names one of them. PROCESSORS: the cores that it
-# keeps busy on average; a script that waits, or runs most programs on one rank, needs one only.
+# keeps busy on average; a script that waits, or runs most programs on one rank, needs one only. A
+# script that starts more than two ranks says how many: ranks that share cores with another test
+# wait for each other, and four ranks on two busy cores run 35 times longer.
 function(asperity_add_python_test name)
   cmake_parse_arguments(TEST "" "SCRIPT;TIMEOUT;PROCESSORS"
     "ARGUMENTS;ENVIRONMENT;LABELS;CONFIGURATIONS" ${ARGN})
