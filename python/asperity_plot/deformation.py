@@ -1,8 +1,9 @@
 """Displacement of the free surface in the years before an event, in the event, and in the plane
 after it where the run has no other; of a run without events over the whole time shown.
 
-Where a fault cuts the surface there is one node on each side of it, and the lines break. Under back
-slip it is the displacement of the bodies, without the steady motion of the plates.
+Where a fault cuts the surface there is one node on each side of it, and the lines break. Beside an
+antisymmetric fault the other half is drawn as well. Under back slip it is the displacement of the
+bodies, without the steady motion of the plates.
 """
 
 from typing import List, Tuple
@@ -13,7 +14,7 @@ from matplotlib.axes import Axes
 from asperity.errors import NothingToShow
 from asperity.run import Run
 
-from . import along, deformation_maps, plane, raster, style, units
+from . import along, deformation_maps, mirror, plane, style, units
 from .along import Axis
 from .deformation_maps import FIELD, SHOWN
 from .windows import View, Window
@@ -38,23 +39,23 @@ def draw(run: Run, view: View):
     if view.number and len(run.complete_events["onset"]) == 1:
         spans.append((spans[1][1], run.surface.time[-1]))
         titles.append(f"In the {units.text(spans[2][1] - spans[2][0], 's')} after it")
-    changes = [[_change(run, span, direction) for _, direction, _ in directions] for span in spans]
+    positions, changes = _whole(run, spans, directions)
     changes, titles = deformation_maps.moving(changes, titles)
     where, unit = along.axis(run, run.surface, "surface"), units.length(np.array(changes))
     size = [6.5, 11.0, 13.0][len(titles) - 1], 4.2
     figure, axes = style.panels(1, len(titles), size, sharex=True)
     for panel, lines in zip(axes[0], changes):
         for (name, _, colour), line in zip(directions, lines):
-            _line(panel, where, run.surface.position, unit(line), colour, name)
+            _line(panel, where, positions, unit(line), colour, name)
         panel.axhline(0.0, color=style.GREY, linewidth=0.6, zorder=0)
         panel.set(xlabel=where.label, ylabel=f"Displacement [{unit.name}]")
         panel.grid(True)
-    axes[0, 0].set_xlim(_limits(where, run.surface.position, np.array(changes)))
+    axes[0, 0].set_xlim(_limits(where, positions, np.array(changes)))
     if len(directions) > 1:
         axes[0, 0].legend()
     for panel, text in zip(axes[0], titles):
         panel.set_title(text)
-    style.title(figure, "Displacement of the surface")
+    style.title(figure, deformation_maps.heading(run, run.upwards(2)))
     return figure
 
 
@@ -77,10 +78,29 @@ def _directions(run: Run) -> List[Tuple[str, np.ndarray, str]]:
     return [("horizontal", np.array([up[1], -up[0]]), style.BLUE), ("up", up, style.ORANGE)]
 
 
-def _change(run: Run, span: Window, direction) -> np.ndarray:
-    """(nodes) [m]: by how much the displacement changed over `span`."""
-    first, last = raster.interpolated(run.surface, FIELD, np.array(span), direction)
-    return last - first
+def _whole(run: Run, spans: List[Window], directions) -> Tuple[np.ndarray, List[List[np.ndarray]]]:
+    """Positions [m] along the surface, and for each span and direction by how much the displacement
+    changed [m] there; beyond the surface, those of the other half if the run has one half."""
+    surface, positions = run.surface, run.surface.position
+    changes = [surface.at(FIELD, last) - surface.at(FIELD, first) for first, last in spans]
+    image = mirror.of(run, run.upwards(2))
+    if image is not None:
+        gaps = image.distance(surface.coordinates[[0, -1]])  # between the surface and the fault
+        is_first = gaps[0] <= gaps[1]
+        fault = positions[0] - gaps[0] if is_first else positions[-1] + gaps[1]
+        positions = _joined(2.0 * fault - positions[::-1], positions, is_first)
+        changes = [_joined(image.displacement(one)[::-1], one, is_first) for one in changes]
+    return positions, [[_along(one, direction) for _, direction, _ in directions]
+                       for one in changes]
+
+
+def _joined(image: np.ndarray, own: np.ndarray, is_first: bool) -> np.ndarray:
+    return np.concatenate((image, own) if is_first else (own, image))
+
+
+def _along(values: np.ndarray, direction) -> np.ndarray:
+    """(nodes) the component along `direction`, or the only one."""
+    return values.reshape(len(values), -1)[:, 0] if direction is None else values @ direction
 
 
 def _line(axes: Axes, where: Axis, positions: np.ndarray, values: np.ndarray, colour: str,

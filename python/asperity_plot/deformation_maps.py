@@ -1,7 +1,8 @@
 """Displacement of the free surface in three dimensions before an event and in the event: colours of
 the uplift, arrows of the horizontal displacement.
 
-Where a fault cuts the surface there is one node on each side of it, and the colours break.
+Where a fault cuts the surface there is one node on each side of it, and the colours break. Beside an
+antisymmetric fault the other half is drawn as well.
 """
 
 from typing import List, Tuple
@@ -12,7 +13,7 @@ from matplotlib.tri import Triangulation
 from asperity.errors import NothingToShow
 from asperity.run import Run
 
-from . import plane, style, units
+from . import mirror, plane, style, units
 from .windows import Window
 
 FIELD = "displacement"
@@ -23,12 +24,11 @@ SHOWN = 0.01    # places that move less than this share of the largest are left 
 
 def draw(run: Run, spans: List[Window], titles: List[str]):
     """One panel for each span of time [s]."""
-    nodes = run.surface.array("geometry/coordinates")
-    triangles = run.surface.array("geometry/connectivity").astype(int)
     upwards = plane.up(run)
+    nodes, triangles, changes = _whole(run, spans, upwards)
     axes = [axis for axis in range(3) if axis != int(np.argmax(np.abs(upwards)))]
     places, far = nodes[:, axes], units.length(np.ptp(nodes, axis=0))
-    moved, titles = moving([change(run, span) for span in spans], titles)
+    moved, titles = moving(changes, titles)
     limits = _limits(places, moved)
     shape = float(np.divide(*np.ptp(limits, axis=0)[::-1]))
     size = 11.0 if len(titles) > 1 else 6.5, 1.5 + min(4.4 * shape, 8.0)
@@ -40,8 +40,27 @@ def draw(run: Run, spans: List[Window], titles: List[str]):
         panel.set(title=title, xlabel=f"{'xyz'[axes[0]]} [{far.name}]", aspect="equal",
                   xlim=far(limits[:, 0]), ylim=far(limits[:, 1]))
     panels[0, 0].set_ylabel(f"{'xyz'[axes[1]]} [{far.name}]")
-    style.title(figure, "Displacement of the surface")
+    style.title(figure, heading(run, upwards))
     return figure
+
+
+def heading(run: Run, upwards: np.ndarray) -> str:
+    """Of a figure of the displacement, which says so if the other half of the body is missing."""
+    is_half = mirror.is_half(run) and mirror.of(run, upwards) is None
+    return "Displacement of the surface" + (" of the modelled half" if is_half else "")
+
+
+def _whole(run: Run, spans: List[Window], upwards: np.ndarray):
+    """Nodes, triangles and the displacement in each span, of both halves if the run has one."""
+    nodes = run.surface.array("geometry/coordinates")
+    triangles = plane.elements(run.surface)
+    changes = [change(run, span) for span in spans]
+    image = mirror.of(run, upwards)
+    if image is None:
+        return nodes, triangles, changes
+    return (np.concatenate((nodes, image.places(nodes))),
+            np.concatenate((triangles, triangles + len(nodes))),
+            [np.concatenate((one, image.displacement(one))) for one in changes])
 
 
 def moving(moved: List, titles: List[str]) -> Tuple[List, List[str]]:

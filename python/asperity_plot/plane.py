@@ -76,9 +76,14 @@ def plane(run: Run, file: H5File) -> Plane:
     if not is_surface(file):
         raise OtherDimension(f"{file.path.name} is not over a surface, as in three dimensions")
     nodes = file.array("geometry/coordinates")
-    triangles = file.array(ELEMENTS[0] if file.has(ELEMENTS[0]) else ELEMENTS[1]).astype(int)
+    triangles = elements(file)
     names, numbers = _faults(file, len(nodes), triangles)
     return unrolled(nodes, triangles, names, numbers, up(run))
+
+
+def elements(file: H5File) -> np.ndarray:
+    """(triangles, 3) the nodes of each, without triangles that reach across a period."""
+    return file.array(ELEMENTS[0] if file.has(ELEMENTS[0]) else ELEMENTS[1]).astype(int)
 
 
 def unrolled(nodes: np.ndarray, triangles: np.ndarray, names: List[str], numbers: np.ndarray,

@@ -1,5 +1,8 @@
 """The displacement of the surface before and in an event, on both sides of a fault that cuts it."""
 
+import tempfile
+from pathlib import Path
+
 import numpy as np
 from matplotlib import pyplot
 
@@ -115,6 +118,46 @@ class Deformation(FolderCase):
         x, y = lines["up"].get_data()
         in_cm = 100.0 * (last - first)[:, 1]
         np.testing.assert_allclose(y[~np.isnan(x)], in_cm, rtol=1e-6, atol=1e-9)
+
+    def test_beside_an_antisymmetric_fault_both_halves_are_drawn(self):
+        """Also where the surface begins beside the fault, and its positions away from it."""
+        for side, gap in ((1.0, 0.0), (-1.0, 0.0), (1.0, 0.25)):
+            with self.subTest(side=side, gap=gap), tempfile.TemporaryDirectory() as name:
+                folder = Path(name)
+                x = np.sort(side * (np.array([0.0, 1.0, 2.0, 4.0]) + gap))
+                moved = np.array([[0.3, -0.2], [0.2, 0.1], [0.1, 0.4], [0.02, 0.5]])
+                for file, nodes, values in (
+                        ("fault.h5", np.stack((np.zeros(3), [0.0, -1.0, -2.0]), axis=1),
+                         {"slip": np.zeros((3, 3))}),
+                        ("surface.h5", np.stack((x, 0.0 * x), axis=1),
+                         {"displacement": np.array([0, 1, 2])[:, None, None] * moved})):
+                    synthetic_run.write_history(folder / file, np.arange(3.0), nodes, values)
+                synthetic_run.add_condition(folder, "Antisymmetric Fault")
+                run = Run(folder)
+                panel = deformation.draw(run, windows.choose(run, None)).axes[0]
+                for line, component, sign in zip(panel.lines, (0, 1), (1.0, -1.0)):
+                    shown, values = (each[~np.isnan(each)] for each in line.get_data())
+                    expected = {True: 200.0, False: 2.0}["[cm]" in panel.get_ylabel()] * moved
+                    np.testing.assert_allclose(shown, np.sort(np.concatenate((-x, x))), atol=1e-12)
+                    np.testing.assert_allclose(
+                        values, np.concatenate((sign * expected[::-1, component],
+                                                expected[:, component])) if side > 0 else
+                        np.concatenate((expected[:, component], sign * expected[::-1, component])))
+
+    def test_beside_a_fault_of_another_type_there_is_no_image(self):
+        run = self.write()
+        synthetic_run.add_condition(self.folder, "Two-Sided Fault")
+        _, (before, _) = self.panels(run)
+        x = before["up"].get_xdata()
+        np.testing.assert_allclose(x[~np.isnan(x)], X)
+
+    def test_without_a_file_of_the_fault_the_half_is_named(self):
+        self.write()
+        synthetic_run.add_condition(self.folder, "Antisymmetric Fault")
+        (self.folder / "fault.h5").unlink()
+        run = Run(self.folder)
+        figure = deformation.draw(run, windows.choose(run, None))
+        self.assertIn("modelled half", figure._suptitle.get_text())
 
     def test_the_map_of_the_surface_jumps_at_the_fault(self):
         run = self.write()

@@ -106,6 +106,47 @@ class SurfaceFaults(FolderCase):
             np.testing.assert_allclose(arrows.U[left], factor * 0.1)
             np.testing.assert_allclose(arrows.V[arrows.XY[:, 0] > 0.5], factor * 0.1)
 
+    def write_half(self, lean=0.0):
+        """A surface over x >= 1 km beside an antisymmetric fault at x = 1 km, which leans by this
+        tangent; the displacement at the end of the event."""
+        x, z = (values.ravel() for values in np.meshgrid([1e3, 3e3], [0.0, 2e3]))
+        moved = np.array([[0.1, 0.02, 0.3], [-0.2, 0.05, 0.1], [0.3, -0.04, 0.2], [0.0, 0.01, 0.1]])
+        with h5py.File(self.folder / "surface.h5", "w") as file:
+            file["time"] = [0.0, surface.ONSET, 118.0, 200.0]
+            file["fields/displacement"] = np.array([0, 0, 1, 1])[:, None, None] * moved
+            surface.write_geometry(file, np.stack((x, 0.0 * x, z), axis=1), [[0, 1, 3], [0, 3, 2]])
+        strike, dip, triangles = surface.grid()
+        (self.folder / "fault.h5").unlink()  # the run of the set-up has it open
+        with h5py.File(self.folder / "fault.h5", "w") as file:
+            file["time"] = [0.0, 200.0]
+            surface.write_geometry(file, np.stack((1e3 + lean * dip, -dip, strike), axis=1),
+                                   triangles)
+        synthetic_run.add_condition(self.folder, "Antisymmetric Fault")
+        return moved
+
+    def test_beside_an_antisymmetric_fault_both_halves_are_drawn(self):
+        moved = self.write_half()
+        panel = deformation.draw(Run(self.folder), self.view).axes[0]
+        colours, arrows = panel.collections[:2]
+        self.assertEqual(colours.get_array().size, 8)
+        np.testing.assert_allclose(colours.get_array()[:4], 100 * moved[:, 1] / (
+            1.0 if "[cm]" in panel.child_axes[0].get_ylabel() else 100.0))
+        # u_t changes its sign in the image, along z and upwards; u_n along x does not
+        np.testing.assert_allclose(colours.get_array()[4:], -colours.get_array()[:4])
+        np.testing.assert_allclose(panel.get_xlim(), [-1.0, 3.0])  # the image of 3 km is at -1 km
+        for place, x, z in zip(arrows.XY, arrows.U, arrows.V):
+            node = int(np.argmin(np.abs(np.abs(place[0] - 1.0) - [0, 2, 0, 2])
+                                 + np.abs(place[1] - np.array([0, 0, 2, 2]))))
+            if place[0] != 1.0:  # two nodes are at the fault
+                self.assertAlmostEqual(x, moved[node, 0])
+                self.assertAlmostEqual(z, np.sign(place[0] - 1.0) * moved[node, 2])
+
+    def test_a_leaning_antisymmetric_fault_has_its_half_and_says_so(self):
+        self.write_half(lean=0.3)
+        figure = deformation.draw(Run(self.folder), self.view)
+        self.assertEqual(figure.axes[0].collections[0].get_array().size, 4)
+        self.assertIn("modelled half", figure._suptitle.get_text())
+
     def test_where_nothing_moves_before_the_event_there_is_no_empty_map(self):
         for factors, words in (([0.0, 0.0, -10.0, 0.0], "from the onset of event 1"),
                                ([0.0, 5.0, 5.0, 5.0], "before event 1")):

@@ -4,6 +4,7 @@ The fields are formulas, not solutions: slip rates rise like a power of the time
 outwards from a nucleation point, and decay into afterslip; steps adapt to them as in a run.
 """
 
+import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 from typing import Dict, List
 
@@ -134,6 +135,18 @@ def write_run(folder: Path, num_events: int = 8, nodes: int = 90, wedge: bool = 
     write_steps(folder / "steps.csv", times, rate)
     if wedge:
         (folder / "parameters.xml").write_text(PARAMETERS)
+
+
+def add_condition(folder: Path, kind: str) -> None:
+    """A boundary condition of the Type `kind` in the parameters, which are written if there are
+    none."""
+    path = folder / "parameters.xml"
+    root = ElementTree.fromstring(path.read_text() if path.exists() else
+                                  '<ParameterList name="Asperity"/>')
+    conditions = ElementTree.SubElement(root, "ParameterList", name="Boundary Conditions")
+    condition = ElementTree.SubElement(conditions, "ParameterList", name="A condition")
+    ElementTree.SubElement(condition, "Parameter", name="Type", type="string", value=kind)
+    path.write_text(ElementTree.tostring(root, encoding="unicode"))
 
 
 def write_events(path: Path, times, positions, rate, events) -> None:
