@@ -42,6 +42,9 @@ public:
 
   virtual std::vector<ObservedField> observed() const { return {}; }
 
+  // Lines for the log about what it was made of. The same on all ranks.
+  virtual std::vector<std::string> remarks() const { return {}; }
+
   // What alpha is for this process (friction/LawProperties.hpp); null: it works with any.
   virtual char const* stateVariable() const { return nullptr; }
 

@@ -17,8 +17,6 @@ bool isAlternative(ParameterEntry const& declared)
   return !info.is_null() && info->kind == ParameterKind::alternative;
 }
 
-namespace
-{
 std::string chosenWord(ParameterList const& valid, ParameterList const& list,
                        std::string const& choice, std::string const& path)
 {
@@ -30,6 +28,8 @@ std::string chosenWord(ParameterList const& valid, ParameterList const& list,
   return get<std::string>(*given);
 }
 
+namespace
+{
 // "Law = Mine or Law = Yours": the words of choices that bring an entry of the name.
 std::string choicesWithEntry(ParameterList const& valid, std::string const& name)
 {

@@ -11,6 +11,11 @@ inline constexpr char const* alternative_separator = " = ";
 // Whether a declared entry is such a list.
 bool isAlternative(Teuchos::ParameterEntry const& declared);
 
+// The word that `list`, which stands at `path`, has for a choice, given or by default. InputError if
+// it is no text or not one of the declared words.
+std::string chosenWord(ParameterList const& valid, ParameterList const& list,
+                       std::string const& choice, std::string const& path);
+
 // The declarations that hold for `list`, which stands at `path`: entries of the words that its
 // choices have, as given or by default, stand among the others. An entry that two words bring has
 // to have the same unit and default in both; the numbers that both allow are allowed. If two

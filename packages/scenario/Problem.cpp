@@ -269,6 +269,11 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
       warnings.push_back(*warning);
     }
   }
+  std::vector<std::string> remarks = {dynamics::describeSpeeds(beside)};
+  for (auto const& process : fault.processes()) {
+    auto const of_process = process->remarks();
+    remarks.insert(remarks.end(), of_process.begin(), of_process.end());
+  }
   return {{std::move(body), std::move(fault), std::move(initial),
            follows ? across : dynamics::ReactionSinceStart()},
           communicator,
@@ -282,7 +287,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           std::move(of.patches),
           fault_materials,
           solver,
-          {dynamics::describeSpeeds(beside)},
+          std::move(remarks),
           std::move(warnings),
           dynamics::largestSlipRate(beside),
           std::move(scales),

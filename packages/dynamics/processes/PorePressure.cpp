@@ -59,6 +59,8 @@ public:
     return rates_;
   }
 
+  std::vector<std::string> const& remarks() const { return wells_.remarks(); }
+
 private:
   RCP<const Communicator> communicator_;
   NodalFunction injection_;
@@ -131,6 +133,8 @@ public:
     auto const diffusion = diffusion_ ? diffusion_ : inTheMiddle(from, tau, q, to.at(field_name));
     diffusion->advance(tau, p, q, to.at(field_name));
   }
+
+  std::vector<std::string> remarks() const override { return inflow_->remarks(); }
 
   std::vector<ObservedField> observed() const override
   {

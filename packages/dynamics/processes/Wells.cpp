@@ -1,5 +1,7 @@
 #include "dynamics/processes/Wells.hpp"
 
+#include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
 #include "parameters/fields/Field.hpp"
 
@@ -49,6 +51,19 @@ std::string textOf(std::array<double, 3> const& place, int dimension)
 }
 } // namespace
 
+namespace
+{
+// Over all ranks, of those that take a part of the rate that is more than rounding.
+int numNodesThatShare(fem::FaultMesh::Nearest const& nearest, Communicator const& communicator)
+{
+  constexpr double rounding = 1e-9;
+  const auto mine =
+    std::count_if(nearest.shares.begin(), nearest.shares.end(),
+                  [](auto const& node_and_share) { return node_and_share.second > rounding; });
+  return static_cast<int>(sumOverRanks(static_cast<double>(mine), communicator));
+}
+} // namespace
+
 Wells::Wells(Teuchos::ParameterList const& list, std::string const& path,
              fem::FaultMesh const& mesh)
 {
@@ -69,6 +84,12 @@ Wells::Wells(Teuchos::ParameterList const& list, std::string const& path,
                            << " m from the fault, whose cells have a size of " << nearest.cell_size
                            << " m there; at most " << reach
                            << " of that is allowed. Move the well onto the fault.");
+    const int num_nodes = numNodesThatShare(nearest, *mesh.owned()->getComm());
+    remarks_.push_back("Well '" + name + "' meets the fault at " + textOf(place, dimension) +
+                       " m, where cells have a size of " + formatShort(nearest.cell_size) + " m: " +
+                       (num_nodes == 1
+                          ? "one node takes its rate."
+                          : std::to_string(num_nodes) + " nodes of a cell share its rate."));
     wells_.push_back(
       std::make_unique<Well>(Well{place, std::move(rate), std::move(nearest.shares)}));
   }

@@ -29,6 +29,8 @@ public:
   ~Wells();
 
   bool dependOnTime() const;
+  // A line for each well: its place, and the cell whose nodes share its rate. The same on all ranks.
+  std::vector<std::string> const& remarks() const { return remarks_; }
   // rates(num_nodes) += what flows into this rank's nodes at the time t [s]: volume per time in
   // three dimensions [m^3/s], per metre of thickness in two [m^2/s].
   void add(double t, std::vector<double>& rates) const;
@@ -36,5 +38,6 @@ public:
 private:
   struct Well;
   std::vector<std::unique_ptr<Well>> wells_;
+  std::vector<std::string> remarks_;
 };
 } // namespace asperity::dynamics

@@ -3,8 +3,10 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "scenario/report/DriveCheck.hpp"
 #include "scenario/report/Environment.hpp"
 #include "scenario/report/FaultSense.hpp"
+#include "scenario/report/HeldSlip.hpp"
 #include "scenario/report/ResolutionCheck.hpp"
 #include "scenario/report/SizeCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
@@ -172,6 +174,9 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
     bodySize(problem, deck),
     isDoubtful("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution);
   description.warnings.insert(description.warnings.end(), of_size.begin(), of_size.end());
+  describeHeldSlip(problem, deck, description);
+  auto const of_drive = warnOfDrive(problem, deck);
+  description.warnings.insert(description.warnings.end(), of_drive.begin(), of_drive.end());
   auto const of_slip = warnOfPrescribedSlip(problem, deck);
   description.warnings.insert(description.warnings.end(), of_slip.begin(), of_slip.end());
   auto const of_scales = describeScales(problem.scales);

@@ -4,8 +4,8 @@
 #include "base/parallel/Reductions.hpp"
 #include "mesh/Mesh.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "scenario/report/BoundaryField.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 
@@ -110,7 +110,6 @@ namespace
 // Means of the largest slip, and no pulse that a time meets by chance: with one number of times it
 // counts too much, with the other one not at all.
 constexpr int numbers_of_times[] = {128, 101};
-constexpr std::size_t most_nodes = 1000; // at which the rate is read, of each rank
 
 // The largest slip at nodes that the rate prescribes from t = 0 to `end`.
 double largestSlip(NodalField const& rate, double end)
@@ -169,15 +168,9 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, Parameter
         !isGiven(condition.list, "Slip Rate")) {
       continue;
     }
-    auto vertices = mesh::boundaryVertices(problem.mesh, name);
-    const double extent = extentOf(problem.mesh, vertices, *problem.communicator);
-    const std::size_t stride = vertices.size() / most_nodes + 1;
-    std::vector<int> some;
-    for (std::size_t i = 0; i < vertices.size(); i += stride) {
-      some.push_back(vertices[i]);
-    }
-    const FieldNodes nodes(problem.mesh, some);
-    const NodalField rate({condition.list, "Slip Rate", condition.name, nodes.region_names}, nodes);
+    const double extent =
+      extentOf(problem.mesh, mesh::boundaryVertices(problem.mesh, name), *problem.communicator);
+    auto const rate = boundaryField(condition, "Slip Rate", problem.mesh);
     const double slip = maxOverRanks(largestSlip(rate, end), *problem.communicator);
     if (slip > small_strain * extent) {
       return {

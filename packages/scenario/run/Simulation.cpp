@@ -74,6 +74,7 @@ private:
   std::map<std::string, io::OutputDomain> domains_;
   io::FieldRegistry registry_;
   std::unique_ptr<io::OutputSet> outputs_;
+  std::optional<Warning> unread_; // entries of the deck
   std::string restart_, restart_from_;
   io::Archive start_; // of a restart, or the state of another run, until it begins
   Checkpoints checkpoints_;
@@ -97,6 +98,7 @@ SimulationOf<Dim>::SimulationOf(RCP<ParameterList> const& deck, CommandLine cons
     , directory_(outputDirectory(command_line))
     , evolution_(*deck, communicator)
     , domains_(makeDomains(evolution_.problem()))
+    , unread_(warnOfUnreadEntries(command_line, *deck))
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
     , checkpoints_(directory_, deck->sublist("Output"), command_line.plugins,
@@ -140,6 +142,9 @@ template <int Dim>
 Description SimulationOf<Dim>::description() const
 {
   auto result = describe(evolution_.problem(), *deck_);
+  if (unread_) {
+    result.warnings.push_back(*unread_);
+  }
   auto const fault = domains_.find("fault");
   if (fault == domains_.end()) {
     return result;

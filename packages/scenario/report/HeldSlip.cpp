@@ -1,0 +1,149 @@
+#include "scenario/report/HeldSlip.hpp"
+
+#include "base/Text.hpp"
+#include "base/parallel/Gather.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "mesh/Boundaries.hpp"
+#include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace asperity::scenario
+{
+namespace
+{
+constexpr int num_times = 16; // at which velocities of conditions are read
+
+bool isAmong(std::vector<int> const& vertices, fem::FaultNode const& node)
+{
+  return std::any_of(node.copies.begin(), node.copies.end(), [&](int vertex) {
+    return std::binary_search(vertices.begin(), vertices.end(), vertex);
+  });
+}
+
+// (num_nodes) whether other conditions than those along the fault prescribe all slip of the node.
+template <int Dim>
+std::vector<bool> heldNodes(Problem<Dim> const& problem,
+                            std::vector<BoundaryCondition> const& conditions)
+{
+  auto const& surface = *problem.surface;
+  std::vector<bool> held;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    held.push_back(!surface.counts(node));
+  }
+  for (auto const& pair : problem.mesh.splits) {
+    const int node = pair.plus < problem.mesh.num_owned ? surface.nodeAt(pair.plus) : -1;
+    if (pair.is_tip && node >= 0) {
+      held[node] = false;
+    }
+  }
+  for (auto const& condition : conditions) {
+    if (condition.type->place == ConditionPlace::continuation) {
+      auto const vertices = mesh::boundaryVertices(problem.mesh, condition.boundary);
+      for (int node = 0; node < surface.numNodes(); ++node) {
+        held[node] = held[node] && !isAmong(vertices, surface[node]);
+      }
+    }
+  }
+  return held;
+}
+
+// (num_nodes) the largest slip rate [m/s] if all slip of the node is prescribed. Collective.
+template <int Dim>
+std::vector<double> prescribedRates(Problem<Dim> const& problem, double end)
+{
+  auto const& surface = *problem.surface;
+  std::vector<double> largest(surface.numNodes(), 0.);
+  auto const v = problem.body.vector();
+  for (int i = 0; i <= num_times; ++i) {
+    problem.body.prescribed_velocity(end * i / num_times, *v);
+    auto const values = v->getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (int node = 0; node < surface.numNodes(); ++node) {
+      double square = 0;
+      for (int k = 0; k < surface.numTangents(); ++k) {
+        const double rate =
+          surface.slipFactor() * values(surface[node].dofs[k], 0) + surface.plateRate(node, k);
+        square += rate * rate;
+      }
+      largest[node] = std::max(largest[node], std::sqrt(square));
+    }
+  }
+  return largest;
+}
+
+// What the nodes of a fault that a boundary holds have in common, over all ranks.
+struct HeldEnd
+{
+  long long num_nodes = 0;
+  double rate = 0;           // the largest [m/s]
+  std::vector<double> place; // of one of them [m]
+};
+
+template <int Dim>
+HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool> const& held,
+                std::vector<double> const& rates, std::vector<int> const& vertices)
+{
+  auto const& surface = *problem.surface;
+  HeldEnd end;
+  std::vector<double> mine;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    if (held[node] && isAmong(vertices, surface[node])) {
+      ++end.num_nodes;
+      end.rate = std::max(end.rate, rates[node]);
+      if (mine.empty()) {
+        mine.assign(surface[node].place.begin(), surface[node].place.begin() + Dim);
+      }
+    }
+  }
+  auto const& communicator = *problem.communicator;
+  end.place = gatherToAll(mine, communicator);
+  end.place.resize(std::min<std::size_t>(end.place.size(), Dim));
+  end.num_nodes = sumOverRanks(end.num_nodes, communicator);
+  end.rate = maxOverRanks(end.rate, communicator);
+  return end;
+}
+} // namespace
+
+template <int Dim>
+void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
+                      Description& description)
+{
+  if (problem.surface->numSliding() == 0) {
+    return;
+  }
+  auto const conditions = readConditions(deck.sublist("Boundary Conditions"));
+  auto const held = heldNodes(problem, conditions);
+  auto const rates = prescribedRates(problem, finalTime(deck.sublist("Time Stepping")));
+  std::set<std::string> seen;
+  for (auto const& condition : conditions) {
+    if (condition.liesAlongFault() || !seen.insert(condition.boundary).second) {
+      continue;
+    }
+    auto const end =
+      heldEnd(problem, held, rates, mesh::boundaryVertices(problem.mesh, condition.boundary));
+    if (end.num_nodes == 0) {
+      continue;
+    }
+    const std::string text =
+      "The fault ends on the boundary '" + condition.boundary + "' (" + condition.type->name +
+      "), which prescribes the slip of " +
+      (end.num_nodes == 1 ? "its node" : std::to_string(end.num_nodes) + " of its nodes, one") +
+      " at " + formatPoint(end.place) + " m: ";
+    if (end.rate > 0) {
+      description.lines.push_back(text + "up to " + formatShort(end.rate) + " m/s.");
+    } else {
+      description.warnings.push_back(
+        {"slip at a boundary",
+         text + "none. Stress grows there as at the tip of a crack. If the fault shall slip there, "
+                "choose a Type that leaves motion along it free, such as Sliding Wall, or let a "
+                "boundary of the Type Prescribed Slip Rate continue the fault."});
+    }
+  }
+}
+
+template void describeHeldSlip(Problem<2> const&, ParameterList const&, Description&);
+template void describeHeldSlip(Problem<3> const&, ParameterList const&, Description&);
+} // namespace asperity::scenario

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "scenario/report/RunReport.hpp"
+
+namespace asperity::scenario
+{
+// Where a fault with friction ends on another boundary whose condition prescribes all its slip: a
+// line with the number of nodes, the boundary and the largest slip rate, or a warning if that rate
+// is zero. Tips, and edges where the fault is continued at a given slip rate, are left out.
+// Collective.
+template <int Dim>
+void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
+                      Description& description);
+} // namespace asperity::scenario
