@@ -186,7 +186,7 @@ Warning warningOf(std::vector<UnreadEntry> const& unread)
             entry.word + " reads it, but it is " + entry.taken + ".";
   }
   if (unread.size() > most_named) {
-    text += " There are " + std::to_string(unread.size() - most_named) + " more such entries.";
+    text += " And " + std::to_string(unread.size() - most_named) + " more of them.";
   }
   return {"unread parameters", text + " Change the choice, or remove the entries."};
 }

@@ -53,10 +53,11 @@ std::string textOf(std::array<double, 3> const& place, int dimension)
 
 namespace
 {
+constexpr double rounding = 1e-9; // of shares that sum to one
+
 // Over all ranks, of those that take a part of the rate that is more than rounding.
 int numNodesThatShare(fem::FaultMesh::Nearest const& nearest, Communicator const& communicator)
 {
-  constexpr double rounding = 1e-9;
   const auto mine =
     std::count_if(nearest.shares.begin(), nearest.shares.end(),
                   [](auto const& node_and_share) { return node_and_share.second > rounding; });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/Boundaries.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 

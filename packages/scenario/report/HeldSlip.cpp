@@ -3,13 +3,12 @@
 #include "base/Text.hpp"
 #include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "mesh/Boundaries.hpp"
+#include "mesh/MeshQuality.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace asperity::scenario
 {
@@ -82,8 +81,9 @@ struct HeldEnd
   std::vector<double> place; // of one of them [m]
 };
 
+// The nodes that it finds are not `held` any more, so that each is told of once.
 template <int Dim>
-HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool> const& held,
+HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool>& held,
                 std::vector<double> const& rates, std::vector<int> const& vertices)
 {
   auto const& surface = *problem.surface;
@@ -92,6 +92,7 @@ HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool> const& held,
   for (int node = 0; node < surface.numNodes(); ++node) {
     if (held[node] && isAmong(vertices, surface[node])) {
       ++end.num_nodes;
+      held[node] = false;
       end.rate = std::max(end.rate, rates[node]);
       if (mine.empty()) {
         mine.assign(surface[node].place.begin(), surface[node].place.begin() + Dim);
@@ -105,6 +106,11 @@ HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool> const& held,
   end.rate = maxOverRanks(end.rate, communicator);
   return end;
 }
+int holdsMore(BoundaryCondition const& condition)
+{
+  auto const decides = condition.type->decides_on;
+  return decides == DecidesOn::rest ? 2 : condition.type->name == "Prescribed Velocity" ? 1 : 0;
+}
 } // namespace
 
 template <int Dim>
@@ -114,12 +120,14 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
   if (problem.surface->numSliding() == 0) {
     return;
   }
-  auto const conditions = readConditions(deck.sublist("Boundary Conditions"));
-  auto const held = heldNodes(problem, conditions);
+  // A corner between a boundary that is held in all directions and a wall is told of by the former.
+  auto conditions = readConditions(deck.sublist("Boundary Conditions"));
+  std::stable_sort(conditions.begin(), conditions.end(),
+                   [](auto const& a, auto const& b) { return holdsMore(a) > holdsMore(b); });
+  auto held = heldNodes(problem, conditions);
   auto const rates = prescribedRates(problem, finalTime(deck.sublist("Time Stepping")));
-  std::set<std::string> seen;
   for (auto const& condition : conditions) {
-    if (condition.liesAlongFault() || !seen.insert(condition.boundary).second) {
+    if (condition.liesAlongFault()) {
       continue;
     }
     auto const end =
