@@ -11,8 +11,8 @@ inline constexpr char const* alternative_separator = " = ";
 // Whether a declared entry is such a list.
 bool isAlternative(Teuchos::ParameterEntry const& declared);
 
-// The word that `list`, which stands at `path`, has for a choice, given or by default. InputError if
-// it is no text or not one of the declared words.
+// The word that `list`, which stands at `path`, has for a choice, given or by default. InputError
+// if it is no text or not one of the declared words.
 std::string chosenWord(ParameterList const& valid, ParameterList const& list,
                        std::string const& choice, std::string const& path);
 

@@ -202,6 +202,10 @@ std::optional<Warning> warnOfUnreadEntries(CommandLine const& command_line,
   }
   try {
     auto const given = deckAsGiven(command_line, *valid).list;
+    auto const texts = textsOf(*given);
+    unread.erase(std::remove_if(unread.begin(), unread.end(),
+                                [&](auto const& entry) { return texts.count(entry.path) == 0; }),
+                 unread.end()); // defaults
     CommandLine line = command_line;
     line.removals.clear();
     line.overrides.clear();

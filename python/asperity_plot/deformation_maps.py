@@ -1,8 +1,8 @@
 """Displacement of the free surface in three dimensions before an event and in the event: colours of
 the uplift, arrows of the horizontal displacement.
 
-Where a fault cuts the surface there is one node on each side of it, and the colours break. Beside an
-antisymmetric fault the other half is drawn as well.
+Where a fault cuts the surface there is one node on each side of it, and the colours break. Beside
+an antisymmetric fault the other half is drawn as well.
 """
 
 from typing import List, Tuple

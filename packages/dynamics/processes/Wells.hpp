@@ -29,7 +29,7 @@ public:
   ~Wells();
 
   bool dependOnTime() const;
-  // A line for each well: its place, and the cell whose nodes share its rate. The same on all ranks.
+  // A line for each well, the same on all ranks: its place, and how many nodes share its rate.
   std::vector<std::string> const& remarks() const { return remarks_; }
   // rates(num_nodes) += what flows into this rank's nodes at the time t [s]: volume per time in
   // three dimensions [m^3/s], per metre of thickness in two [m^2/s].

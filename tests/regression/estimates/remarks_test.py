@@ -13,7 +13,7 @@ from asperity_status.facts import facts  # noqa: E402 pylint: disable=wrong-impo
 
 XML = asperity_run.SOURCE / "xml"
 STRIP = XML / "spring_slider.xml"
-BP1, BP6, THESIS = XML / "bp1_qd.xml", XML / "bp6.xml", XML / "wedge_2d.xml"
+BP1, BP6, WEDGE = XML / "bp1_qd.xml", XML / "bp6.xml", XML / "wedge_2d.xml"
 
 
 def lines(deck, *changes, options=(), ranks=1):
@@ -38,13 +38,14 @@ class UnreadEntries(unittest.TestCase):
         return str(path)
 
     def test_an_entry_of_another_choice_is_named(self):
-        self.assertEqual(those_with(self.WORDS, THESIS), [])
-        told = those_with(self.WORDS, THESIS, {self.TOLERANCE: 1e-3})
+        for deck in (WEDGE, XML / "lake_2d.xml"):  # defaults of a scheme are no entries
+            self.assertEqual(those_with(self.WORDS, deck), [])
+        told = those_with(self.WORDS, WEDGE, {self.TOLERANCE: 1e-3})
         self.assertEqual(len(told), 1)
         self.assertRegex(told[0], "^WARNING: Time Stepping / Richardson / Tolerance has no effect: "
                          "only Time Stepping / Control = Richardson reads it, but it is Step "
                          "Doubling")
-        told = those_with(self.WORDS, THESIS, {
+        told = those_with(self.WORDS, WEDGE, {
             f"Time Stepping/{entry}": value for entry, value in (
                 ("Richardson/Tolerance", 1e-3), ("Richardson/First Step", 1e-3),
                 ("Newmark/beta", 0.3), ("Newmark/Stability Limit", 1), ("Control", "Step Doubling"),
@@ -52,11 +53,11 @@ class UnreadEntries(unittest.TestCase):
         self.assertIn("And 1 more of them.", told[0])
 
     def test_what_an_override_puts_out_of_force_is_no_mistake(self):
-        given = [each for each in those_with("Step Doubling", THESIS, "Time Stepping/Control="
+        given = [each for each in those_with("Step Doubling", WEDGE, "Time Stepping/Control="
                                              "Richardson") if "WARNING" in each]
         self.assertEqual(given, [])
         # but it is where the override gives the entry itself
-        told = those_with(self.WORDS, THESIS, "Time Stepping/Control=Richardson",
+        told = those_with(self.WORDS, WEDGE, "Time Stepping/Control=Richardson",
                           "Time Stepping/Step Doubling/Tolerance=0.0123")
         self.assertEqual(len(told), 1)
 
@@ -70,7 +71,7 @@ class UnreadEntries(unittest.TestCase):
         for overlays, number in (((chosen,), 0), ((chosen, back), 0), ((alone,), 1),
                                  ((back, alone), 1)):
             options = [word for name in overlays for word in ("--overlay", name)]
-            self.assertEqual(len(those_with(self.WORDS, THESIS, options=options)), number, overlays)
+            self.assertEqual(len(those_with(self.WORDS, WEDGE, options=options)), number, overlays)
 
     def test_run_and_status_have_it_and_a_restart_does_not_repeat_it(self):
         folder = pathlib.Path("unread").absolute()
@@ -90,7 +91,7 @@ class HeldEnds(unittest.TestCase):
     WORDS = "which prescribes the slip of"
 
     def test_a_driven_end_is_named(self):
-        told = those_with(self.WORDS, THESIS)
+        told = those_with(self.WORDS, WEDGE)
         self.assertEqual(len(told), 1)
         self.assertRegex(told[0], r"^The fault ends on the boundary 'right' \(Prescribed Velocity\)"
                          r", which prescribes the slip of its node at \(1.0[0-9]*, 0\) m: up to "
@@ -99,14 +100,14 @@ class HeldEnds(unittest.TestCase):
     def test_an_end_on_a_fixed_boundary_is_a_warning(self):
         """Also on two ranks."""
         for ranks in (1, 2):
-            told = those_with(self.WORDS, THESIS, {
+            told = those_with(self.WORDS, WEDGE, {
                 "Boundary Conditions/Backstop/Type": "Fixed"}, ranks=ranks, options=(
                     "--remove", "Boundary Conditions/Backstop/Velocity",
                     "--remove", "Boundary Conditions/Backstop/Direction",
                     "--remove", "Boundary Conditions/Backstop/Ramp Duration"))
             self.assertEqual(len(told), 1)
-            self.assertRegex(told[0], r"^WARNING: The fault ends on the boundary 'right' \(Fixed\), "
-                             r"which prescribes the slip of its node at .* m: none\.")
+            self.assertRegex(told[0], r"^WARNING: The fault ends on the boundary 'right' "
+                             r"\(Fixed\), which prescribes the slip of its node at .* m: none\.")
 
     def test_continuations_and_walls_that_leave_slip_free_are_none(self):
         for deck in (BP1, XML / "bp5_qd.xml"):
