@@ -3,7 +3,6 @@
 #include "base/Types.hpp"
 #include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
-#include "io/Offers.hpp"
 #include "io/OutputDomain.hpp"
 #include "parameters/Kind.hpp"
 
@@ -68,9 +67,6 @@ public:
   // same on all ranks.
   virtual bool endsRun() const { return false; }
   virtual bool mayEndRun() const { return false; }
-
-  // Adds the objects that files of a text format may read, normally this output itself.
-  virtual void offer(Offers&) const {}
 
   // How many events there are so far, with the one in progress, of an output that counts them; and
   // a paragraph for the report at the end of the run.

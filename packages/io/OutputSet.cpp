@@ -1,7 +1,6 @@
 #include "io/OutputSet.hpp"
 
 #include "base/Errors.hpp"
-#include "io/TextFormat.hpp"
 #include "parameters/ParameterValue.hpp"
 #include "parameters/Parameters.hpp"
 
@@ -21,20 +20,6 @@ Teuchos::RCP<const Teuchos::ParameterList> OutputSet::validParameters()
 
 namespace
 {
-constexpr char const* no_text = "None";
-
-void declareTextFormat(Declare& parameters)
-{
-  std::vector<Declare::NamedList> lists{{no_text, Declare().list()}};
-  for (auto const& name : TextFormatRegistry::instance().names()) {
-    lists.emplace_back(name, TextFormatRegistry::instance().at(name).validParameters());
-  }
-  parameters.choiceOfLists(
-    "Text Format", std::string(no_text), lists,
-    "Selects the platform for comparing codes for which additional text files are written: "
-    "time series of the receivers, rupture times and other files in the form of that platform.");
-}
-
 // The entries of the deck's list that outputs read, complete.
 ParameterList complete(Teuchos::ParameterList const& given)
 {
@@ -75,7 +60,6 @@ void OutputSet::declare(Teuchos::ParameterList& list)
                        "axis that is nearest to the outward normal of the Free Surface; against "
                        "Gravity Direction if there is none; without both, if gravity acts, where "
                        "the boundaries face that nothing holds; else +y.");
-  declareTextFormat(parameters);
 }
 
 OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& given)
@@ -84,7 +68,6 @@ OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext con
   OutputContext context = given;
   context.up = upIn(list);
   makeOutputs(list, context);
-  makeTexts(list, context);
   std::stable_partition(entries_.begin(), entries_.end(),
                         [](Entry const& entry) { return entry.output->mayEndRun(); });
 }
@@ -120,21 +103,6 @@ void OutputSet::makeOutputs(Teuchos::ParameterList const& parameters, OutputCont
   }
 }
 
-void OutputSet::makeTexts(Teuchos::ParameterList const& parameters, OutputContext const& context)
-{
-  text_format_ = parameters.get<std::string>("Text Format");
-  if (text_format_ == no_text) {
-    return;
-  }
-  Offers offers;
-  for (auto const& entry : entries_) {
-    entry.output->offer(offers);
-  }
-  auto const& format = TextFormatRegistry::instance().at(text_format_);
-  entries_.push_back(
-    {"Text Format", format.make(parameters.sublist(text_format_), context, offers)});
-}
-
 OutputSet::~OutputSet() = default;
 
 // Those that may end the run are the first, so that the others know their last step.
@@ -159,7 +127,6 @@ Archive OutputSet::save() const
 {
   Archive archive;
   archive.set("num_closed_segments", num_closed_segments_);
-  archive.set("text_format", text_format_);
   for (auto const& entry : entries_) {
     archive.insert(entry.name, *entry.output);
   }
@@ -168,12 +135,6 @@ Archive OutputSet::save() const
 
 void OutputSet::restore(Archive const& archive)
 {
-  auto const& earlier = archive.get<std::string>("text_format");
-  ASPERITY_REQUIRE(earlier == text_format_,
-                   "Asperity / Output / Text Format is "
-                     << text_format_ << ", but it was " << earlier
-                     << " in the run that the checkpoint continues. Restart with the Text Format "
-                        "of the earlier run.");
   num_closed_segments_ = static_cast<int>(archive.getInteger("num_closed_segments"));
   for (auto& entry : entries_) {
     entry.output->restore(archive.child(entry.name));

@@ -9,8 +9,8 @@
 namespace asperity::io
 {
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,
-// each with the bool `Enabled`, the direction `Up`, and the choice `Text Format`. An output is left
-// out, whatever the deck says, if the run does not have the domain that it needs.
+// each with the bool `Enabled`, and the direction `Up`. An output is left out, whatever the deck
+// says, if the run does not have the domain that it needs.
 //
 //   OutputSet outputs(deck.sublist("Output"), context);
 //   outputs.write(initial);                        // not after a restart
@@ -22,8 +22,8 @@ namespace asperity::io
 class OutputSet
 {
 public:
-  // One sublist for every registered kind, `Up` and `Text Format`; declare adds them to the
-  // caller's list `Output`.
+  // One sublist for every registered kind, and `Up`; declare adds them to the caller's list
+  // `Output`.
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static void declare(Teuchos::ParameterList& list);
   // `Times` [s] of all enabled outputs of a list as above, in no order.
@@ -59,11 +59,9 @@ private:
     std::unique_ptr<Output> output;
   };
   void makeOutputs(Teuchos::ParameterList const& parameters, OutputContext const& context);
-  void makeTexts(Teuchos::ParameterList const& parameters, OutputContext const& context);
 
-  std::vector<Entry> entries_; // the output of the text format is the last one
+  std::vector<Entry> entries_;
   std::vector<LeftOut> left_out_;
   int num_closed_segments_ = 0;
-  std::string text_format_; // "None", "SEAS"
 };
 } // namespace asperity::io

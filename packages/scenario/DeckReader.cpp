@@ -100,6 +100,24 @@ RCP<const ParameterList> deckParameters()
 
 namespace
 {
+// Entries that earlier versions had, and what takes their place.
+void refuseFormerEntries(ParameterList const& deck)
+{
+  if (!deck.isSublist("Output")) {
+    return;
+  }
+  for (std::string const name : {"Text Format", "SEAS", "SCEC"}) {
+    ASPERITY_REQUIRE(!deck.sublist("Output").isParameter(name),
+                     "Asperity / Output / "
+                       << name
+                       << " is no entry of a deck any more: runs write no files for SEAS and SCEC. "
+                          "Take it out (--remove \"Output/"
+                       << name
+                       << "\"); `asperity-platform write DIR PROBLEM` writes the files of a "
+                          "run that is done or goes on, and has options for what the list said.");
+  }
+}
+
 // What no fault has need not be in the deck: the defaults of the laws follow from the faults.
 void chooseLawsOf(ParameterList& deck)
 {
@@ -122,6 +140,7 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   auto const deck = given.list;
   const bool names_scheme =
     deck->isSublist("Time Stepping") && deck->sublist("Time Stepping").isParameter("Scheme");
+  refuseFormerEntries(*deck);
   chooseLawsOf(*deck);
   assembleDeck(given, *valid);
   if (!names_scheme && quasiDynamic(deck->sublist("Bulk"))) {

@@ -5,7 +5,6 @@
 #include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
-#include "io/TextFormat.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace asperity::scenario
@@ -18,7 +17,6 @@ std::vector<std::string> registrations()
         fem::bulkLaws().registrations(), dynamics::StepControlRegistry::instance().registrations(),
         dynamics::FaultProcessRegistry::instance().registrations(),
         io::OutputRegistry::instance().registrations(),
-        io::TextFormatRegistry::instance().registrations(),
         FaultKindRegistry::instance().registrations()}) {
     all.insert(all.end(), some.begin(), some.end());
   }

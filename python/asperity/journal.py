@@ -40,6 +40,8 @@ class Journal:
     exit_status: Optional[int] = None
     message: str = ""
     kind: str = ""                                        # of a failure; '' of earlier versions
+    clock: float = 0.0                                    # [s] since 1970: the last process began
+    fault: Dict[str, Any] = field(default_factory=dict)   # how it lies; {} of earlier versions
     warnings: List[Warned] = field(default_factory=list)  # the last one of each topic
     progress: List[Progress] = field(default_factory=list)
     wall_time: Optional[float] = None                     # [s] of all processes
@@ -67,6 +69,9 @@ class Journal:
         event = entry["event"]
         if event == "begin":
             self.how, self.exit_status, self.message, self.kind = "", None, "", ""
+            self.clock = float(entry.get("clock", 0.0))
+        elif event == "fault":
+            self.fault = entry
         elif event == "restart":  # what came after that step is computed again
             self.warnings = [each for each in self.warnings if each.step <= entry["step"]]
             self.progress = [each for each in self.progress if each.step <= entry["step"]]

@@ -7,7 +7,7 @@ from typing import List
 
 from .errors import InputError
 
-_BEGIN = re.compile(r"Asperity \S+ on .*\.$")
+_BEGIN = re.compile(r"Asperity (\S+) on .*\.$")
 # Of the mesh, the time steps and how well the fault is resolved; told once, before the first step.
 _MODEL = ("Mesh: ", "Resolution ", "Nucleation length", "Disturbances of steady slip",
           "Cells beside the fault", "Memory: ")
@@ -41,6 +41,11 @@ class RunLog:
             log._take(line)
         log.warnings = list(dict.fromkeys(log.warnings))
         return log
+
+    @property
+    def version(self) -> str:
+        """Of the program, in the last process; 'unknown' without one."""
+        return _BEGIN.fullmatch(self.environment[0])[1] if self.environment else "unknown"
 
     @property
     def work(self) -> List[List[str]]:

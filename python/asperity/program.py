@@ -75,6 +75,16 @@ def not_negative(of: Callable[[str], float]) -> Callable[[str], float]:
     return convert
 
 
+def positive(of: Callable[[str], float]) -> Callable[[str], float]:
+    """The type `of` above 0."""
+    def convert(text: str) -> float:
+        value = of(text)
+        if value <= 0.0:
+            raise argparse.ArgumentTypeError(f"'{text}' is not above 0")
+        return value
+    return convert
+
+
 def words(text: str) -> Tuple[str, ...]:
     """Those between commas."""
     return tuple(word.strip() for word in text.split(",") if word.strip())

@@ -30,7 +30,7 @@ class Receivers(H5File):
     def __getitem__(self, name: str) -> Dict[str, np.ndarray]:
         """All fields of a receiver by their names."""
         group, column = self._place(name)
-        return {field: self._values(group, field)[:, column]
+        return {field: self.values(group, field)[:, column]
                 for field in self.entries(f"{group}/fields")}
 
     def coordinates(self, name: str) -> np.ndarray:
@@ -69,7 +69,7 @@ class Receivers(H5File):
         raise InputError(f"{self.path} has no receiver '{name}'. There are "
                          f"{', '.join(self.names)}.")
 
-    def _values(self, group: str, field: str) -> np.ndarray:
+    def values(self, group: str, field: str) -> np.ndarray:
         """(n_times, n_receivers[, components])"""
         values = self.array(f"{group}/fields/{field}")
         expected = (self.time.size, len(self._names[group]))
@@ -81,7 +81,7 @@ class Receivers(H5File):
     def _along_slip(self, field: str) -> np.ndarray:
         """(n_times, n_on_fault), magnitudes of vectors; slip and traction count along the total
         slip, which may be against the tangent of the fault."""
-        values = self._values(ON_FAULT, field)
+        values = self.values(ON_FAULT, field)
         if values.ndim == 3 and values.shape[2] > 1:
             return np.linalg.norm(values, axis=2)
         values = values.reshape(values.shape[:2])

@@ -1,1 +1,1 @@
-"""Checks and packs the files that the platforms for code comparisons take."""
+"""Writes, checks and packs the files that the platforms for code comparisons take."""

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import List, NamedTuple
 
 from . import values
-from .problem import PROFILE, FileKind, Problem, plain
+from .problem import PROFILES, FileKind, plain
 from .textfile import NOT_FINITE, TextFile, first_odd_byte, parse
 
 MOST_BYTES = 10 * 2**20  # of a file; the platforms' guide says about 10 MB
@@ -25,7 +25,7 @@ class Refusal(NamedTuple):
         return f"{where}: {self.text}."
 
 
-def check_file(path: Path, kind: FileKind, problem: Problem, name: str) -> List[Refusal]:
+def check_file(path: Path, kind: FileKind, name: str, has_equal_steps: bool) -> List[Refusal]:
     """The faults of the first kind that is found; `name` is that of the problem."""
     size = path.stat().st_size
     if size == 0:
@@ -42,7 +42,8 @@ def check_file(path: Path, kind: FileKind, problem: Problem, name: str) -> List[
         found = [Refusal(path.name, *fault) for fault in stage(file, kind, name)]
         if found:
             return found
-    return [Refusal(path.name, *fault) for fault in values.faults(file, kind, problem)]
+    return [Refusal(path.name, *fault) for fault in values.faults(file, kind,
+                                                                    has_equal_steps)]
 
 
 def _header(file: TextFile, kind: FileKind, name: str):
@@ -59,7 +60,7 @@ def _header(file: TextFile, kind: FileKind, name: str):
 
 def _fields(file: TextFile, kind: FileKind, _):
     expected = [column.name for column in kind.columns]
-    names = file.names[1:] if kind.layout == PROFILE else file.names  # the first is that of places
+    names = file.names[1:] if kind.source == PROFILES else file.names  # the first is that of places
     if not file.fields:
         yield file.first_line, f"no line with the names of the fields, `{' '.join(expected)}`"
     elif names != expected:
@@ -96,10 +97,10 @@ def _units(file: TextFile, kind: FileKind, _):
 
 
 def _rows(file: TextFile, kind: FileKind, _):
-    if len(file.rows) < (2 if kind.layout == PROFILE else 1):
+    if len(file.rows) < (2 if kind.source == PROFILES else 1):
         yield 0, "has no rows of numbers"
         return
-    width = len(file.rows[0][1].split()) if kind.layout == PROFILE else len(kind.columns)
+    width = len(file.rows[0][1].split()) if kind.source == PROFILES else len(kind.columns)
     for line, text in file.rows:
         words = text.split()
         if not ROW.fullmatch(text):

@@ -7,12 +7,10 @@ from typing import List
 
 from asperity.errors import InputError
 
-from . import scec, seas
 from .checks import Refusal, check_file
-from .problem import Problem, find, plain
+from .platforms import PLATFORMS
+from .problem import Platform, Problem, find, plain
 from .textfile import problem_in
-
-PROBLEMS = (*seas.PROBLEMS, *scec.PROBLEMS)
 
 
 @dataclass
@@ -22,10 +20,17 @@ class Verdict:
 
     directory: Path
     problem: str
-    platform: str
+    platform: Platform
     taken: List[Path]
     spare: List[Path]
     refusals: List[Refusal]
+
+    @property
+    def is_outdated(self) -> bool:
+        """Whether the run in whose folder the files are has gone on, or begun anew, since."""
+        journal = self.directory.parent / "run.jsonl"
+        return journal.exists() and any(path.stat().st_mtime < journal.stat().st_mtime
+                                        for path in self.taken)
 
 
 def check(directory: Path, wanted: str = "") -> Verdict:
@@ -37,26 +42,29 @@ def check(directory: Path, wanted: str = "") -> Verdict:
         raise InputError(f"{directory} is empty.")
     names = [path.name for path in paths]
     name = wanted or _most_named(directory, paths)
-    problem = find(PROBLEMS, name, names)
-    if problem is None:
+    platform, problem = next(((each, found) for each in PLATFORMS
+                              for found in (find(each.problems, name, names),) if found),
+                             (None, None))
+    if platform is None or problem is None:
         raise InputError(f"'{name}' is none of the problems that this program knows: "
                          f"{', '.join(_known())}.")
     refusals = _missing(problem, names)
     try:
         for path in paths:
-            refusals += _of_file(path, problem, name)
+            refusals += _of_file(path, problem, name, platform.has_equal_steps)
     except OSError as error:
         raise InputError(f"{error.filename} cannot be read ({error.strerror}).") from error
     taken = [path for path in paths if problem.takes(path.name)]
     spare = [path for path in paths if problem.kind_of(path.name) and path not in taken]
-    return Verdict(directory, plain(name), problem.platform, taken, spare, refusals)
+    return Verdict(directory, plain(name), platform, taken, spare, refusals)
 
 
 def _of_platform(directory: Path) -> Path:
     """The folder itself, or the one of a platform in the folder of a run."""
     if not directory.is_dir():
         raise InputError(f"{directory} is no folder.")
-    inside = [directory / name for name in ("seas", "scec") if (directory / name).is_dir()]
+    inside = [directory / platform.folder for platform in PLATFORMS
+              if (directory / platform.folder).is_dir()]
     return inside[0] if len(inside) == 1 else directory
 
 
@@ -70,7 +78,8 @@ def _most_named(directory: Path, paths: List[Path]) -> str:
 
 
 def _known() -> List[str]:
-    return list(dict.fromkeys(name for problem in PROBLEMS for name in problem.names))
+    return list(dict.fromkeys(name for platform in PLATFORMS
+                              for problem in platform.problems for name in problem.names))
 
 
 def _missing(problem: Problem, names: List[str]) -> List[Refusal]:
@@ -80,16 +89,16 @@ def _missing(problem: Problem, names: List[str]) -> List[Refusal]:
     for kind in problem.kinds:
         has_list = kind.is_station and problem.stations
         if kind.is_needed and not has_list and not any(kind.matches(name) for name in names):
-            name = kind.what if kind.is_station else kind.name.replace("\\", "")
+            name = kind.what if kind.is_station else kind.prefix
             found.append(Refusal(name, 0, "is missing; one is needed at least"
                                  if kind.is_station else f"is missing ({kind.what})"))
     return found
 
 
-def _of_file(path: Path, problem: Problem, name: str) -> List[Refusal]:
+def _of_file(path: Path, problem: Problem, name: str, has_equal_steps: bool) -> List[Refusal]:
     kind = problem.kind_of(path.name)
     if not path.is_file():
         return [Refusal(path.name, 0, "is no file; the platform takes files alone")]
     if kind is None:
         return [Refusal(path.name, 0, f"no file of {plain(name)} has this name")]
-    return check_file(path, kind, problem, name)
+    return check_file(path, kind, name, has_equal_steps)

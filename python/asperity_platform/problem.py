@@ -1,29 +1,36 @@
-"""What is to be known of a benchmark problem: its files, and what a platform demands of them."""
+"""What is to be known of a platform and its problems: files, and what it demands of them."""
 
 import re
 from dataclasses import dataclass
-from typing import Optional, Sequence, Tuple
+from typing import Callable, Optional, Sequence, Tuple
 
-from .columns import Column
+from .columns import Column, Directions
+from .model import Model
 
-# Ways in which the rows of a file are laid out.
-SERIES, PROFILE, PLACES = "series", "profile", "places"
+# What a file is made of: a group of receivers.h5, or a file of the run.
+ON_FAULT, OFF_FAULT, TOTALS, PROFILES, RUPTURE = ("on_fault", "off_fault", "global.csv", "fault.h5",
+                                                  "rupture.h5")
 
 
 @dataclass(frozen=True)
 class FileKind:
-    """Files of the same columns; `name` is a regular expression for the whole name."""
+    """Files of the same columns, made of `source`. The name of a station's file is `prefix` with
+    the name of the receiver, for which `place` is a regular expression."""
 
     what: str
-    name: str
+    source: str
+    prefix: str
     columns: Tuple[Column, ...]
     keys: Tuple[str, ...]  # of the header; "a|b" is one of both
-    layout: str = SERIES
+    place: str = ""
     is_needed: bool = True
-    is_station: bool = False
+
+    @property
+    def is_station(self) -> bool:
+        return self.source in (ON_FAULT, OFF_FAULT)
 
     def matches(self, name: str) -> bool:
-        return re.fullmatch(self.name, name) is not None
+        return re.fullmatch(re.escape(self.prefix) + self.place, name) is not None
 
 
 @dataclass(frozen=True)
@@ -32,10 +39,8 @@ class Problem:
     one of them is needed. Without them any station counts, and one is needed."""
 
     names: Tuple[str, ...]
-    platform: str
     kinds: Tuple[FileKind, ...]
     stations: Tuple[Tuple[str, ...], ...] = ()
-    has_equal_steps: bool = False
     mark: str = ".*"  # a name of this kind tells it from others of the same name
 
     def kind_of(self, file_name: str) -> Optional[FileKind]:
@@ -47,6 +52,24 @@ class Problem:
         if kind is None or not self.stations or not kind.is_station:
             return kind is not None
         return any(file_name in equal for equal in self.stations)
+
+
+@dataclass(frozen=True)
+class Platform:
+    """`files` are those of any model; `directions` are what the names in Column.along mean for a
+    source. Rows of stations are those of receivers.h5, or have equal steps."""
+
+    name: str
+    prefix: str  # of the names of its problems, in large letters
+    problems: Tuple[Problem, ...]
+    files: Callable[[Model], Tuple[FileKind, ...]]
+    directions: Callable[[Model, str], Directions]
+    has_equal_steps: bool = False
+
+    @property
+    def folder(self) -> str:
+        """In that of a run."""
+        return self.name.lower()
 
 
 def plain(name: str) -> str:

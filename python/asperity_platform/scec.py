@@ -1,43 +1,75 @@
-"""The problems of SCEC, spontaneous ruptures."""
+"""SCEC, spontaneous ruptures: its files and its problems."""
 
 from typing import Tuple
 
-from .columns import (TIME, Column, displacement, is_positive, log_state, place, pressure,
-                      rate, slip, starts_above, stress, velocity)
-from .problem import PLACES, FileKind, Problem
+from .columns import (TIME, Column, Directions, displacement, is_positive, log_state,
+                      normal_stress, places_and_arrival, pressure, rate, shear_stress, slip,
+                      starts_above, velocity)
+from .model import Model
+from .problem import OFF_FAULT, ON_FAULT, RUPTURE, FileKind, Platform, Problem
 
 RUN = ("problem", "author", "date", "code", "element_size")
 STATION = (*RUN, "time_step", "num_time_steps", "location")
 LOADED = (is_positive, starts_above(5.0))
-SLIPS = (slip("h-slip", is_positive), rate("h-slip-rate", is_positive),
-         stress("h-shear-stress", *LOADED), slip("v-slip"), rate("v-slip-rate"),
-         stress("v-shear-stress"), stress("n-stress", *LOADED))
-MOTION = tuple(column(f"{direction}-{what}") for direction in "hvn"
-               for what, column in (("disp", displacement), ("vel", velocity)))
-PSI = Column("psi", ("dimensionless",), -5.0, 5.0)
-HOT = (Column("temperature", ("K", "Kelvin", "degrees Kelvin"), 200.0, 5000.0),
-       pressure("pressure"))
+STATES = {"theta": (log_state("log-theta", "log10 of state variable", "log-seconds", "log10 s"),),
+          "psi": (Column("psi", "state variable psi", "psi", ("dimensionless",), -5.0, 5.0),),
+          "": ()}
+HEAT = (Column("temperature", "temperature", "temperature", ("K", "Kelvin", "degrees Kelvin"),
+               200.0, 5000.0), pressure("pressure", "pore pressure", "fluid_pressure"))
+AXES = {"h": "horizontal", "v": "vertical", "n": "normal"}
+ANY = r"\S+"
 
-ARRIVAL = Column("t", ("s",), 0.0, 1e9)  # 1e9: a rupture that never arrives
-CONTOURS = FileKind("rupture times", "cplot", (place("j"), place("k"), ARRIVAL), RUN, PLACES)
+
+def _on_fault(model: Model) -> Tuple[Column, ...]:
+    """The normal stress is the effective one where pressure follows from heat."""
+    velocities = "slip_velocity" if model.in_space else "slip_rate"
+    normal = ("effective normal stress", "effective_normal_stress") if model.has_heat \
+        else ("normal stress", "normal_stress")
+    return (TIME, slip("h-slip", "horizontal slip", "h", is_positive),
+            rate("h-slip-rate", "horizontal slip rate", velocities, "h", is_positive),
+            shear_stress("h-shear-stress", "horizontal shear stress", "h", *LOADED),
+            slip("v-slip", "vertical slip", "v"),
+            rate("v-slip-rate", "vertical slip rate", velocities, "v"),
+            shear_stress("v-shear-stress", "vertical shear stress", "v"),
+            normal_stress("n-stress", *normal, *LOADED), *STATES[model.state],
+            *(HEAT if model.has_heat else ()))
+
+
+MOTION = (TIME, *(make(f"{axis}-{name}", f"{words} {what}", axis) for axis, words in AXES.items()
+                  for make, name, what in ((displacement, "disp", "displacement"),
+                                           (velocity, "vel", "velocity"))))
+
+
+def _files(model: Model, place: str = ANY, off_fault: str = ANY) -> Tuple[FileKind, ...]:
+    """`place`: a regular expression; that of a station in the body follows `off_fault`."""
+    return (FileKind("station on the fault", ON_FAULT, "fault", _on_fault(model), STATION, place),
+            FileKind("station in the body", OFF_FAULT, "body", MOTION, STATION, off_fault, False),
+            FileKind("rupture times", RUPTURE, "cplot", places_and_arrival("j", "k", 1e9), RUN))
+
+
+def _directions(model: Model, source: str) -> Directions:
+    """h is along strike, v down dip, in the body straight down, n from the fault into the body.
+    A plane has two of them."""
+    if model.in_space:
+        return {"h": model.along("strike"), "n": model.along("inward"),
+                "v": model.along("dip" if source == ON_FAULT else "down")}
+    if source == ON_FAULT or model.antiplane:
+        return {"h" if model.antiplane or model.is_level else "v": (1.0,)}
+    return {"h": (1.0, 0.0), "n": (0.0, 1.0)} if model.is_level \
+        else {"v": (0.0, 1.0), "n": (1.0, 0.0)}
+
+
 STRIKE, DEPTH = r"st-?\d{3}", r"dp\d{3}"
 
 
-def _kinds(place_on_fault: str, *state: Column) -> Tuple[FileKind, ...]:
-    return (FileKind("station on the fault", f"fault{place_on_fault}", (TIME, *SLIPS, *state),
-                     STATION, is_station=True),
-            FileKind("station in the body", r"body-?\d{3}" + place_on_fault, (TIME, *MOTION),
-                     STATION, is_needed=False, is_station=True), CONTOURS)
-
-
-def _problem(names: Tuple[str, ...], *state: Column,
+def _problem(names: Tuple[str, ...], model: Model,
              stations: Tuple[Tuple[str, ...], ...] = ()) -> Problem:
-    return Problem(names, "SCEC", _kinds(STRIKE + DEPTH, *state), stations, has_equal_steps=True,
-                   mark="fault" + STRIKE + DEPTH)
+    place = STRIKE + DEPTH
+    return Problem(names, _files(model, place, r"-?\d{3}" + place), stations, "fault" + place)
 
 
-def _plane(name: str, *state: Column) -> Problem:
-    return Problem((name,), "SCEC", _kinds(STRIKE, *state), has_equal_steps=True)
+def _plane(name: str, state: str) -> Problem:
+    return Problem((name,), _files(Model(state=state), STRIKE, r"-?\d{3}" + STRIKE))
 
 
 def _faults(*places: str) -> Tuple[Tuple[str, ...], ...]:
@@ -62,12 +94,13 @@ TPV105 = _faults("-120dp030", "000dp030", "120dp030", "-180dp075", "-150dp075", 
                  "120dp120") + BODY
 
 PROBLEMS = (
-    _problem(("TPV5", "TPV205"), stations=TPV205),
-    _plane("TPV5"),
-    _problem(("TPV101",), log_state("log-theta"), stations=TPV101),
-    _plane("TPV101", log_state("log-theta")),
-    _problem(("TPV103",), PSI),
-    _plane("TPV103", PSI),
-    _problem(("TPV104",), PSI, stations=TPV104),
-    _problem(("TPV105", "TPV105-3D"), PSI, *HOT, stations=TPV105),
+    _problem(("TPV5", "TPV205"), Model(in_space=True, state=""), TPV205),
+    _plane("TPV5", ""),
+    _problem(("TPV101",), Model(in_space=True), TPV101),
+    _plane("TPV101", "theta"),
+    _problem(("TPV103",), Model(in_space=True, state="psi")),
+    _plane("TPV103", "psi"),
+    _problem(("TPV104",), Model(in_space=True, state="psi"), TPV104),
+    _problem(("TPV105", "TPV105-3D"), Model(in_space=True, state="psi", has_heat=True), TPV105),
 )
+PLATFORM = Platform("SCEC", "TPV", PROBLEMS, _files, _directions, has_equal_steps=True)

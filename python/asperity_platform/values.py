@@ -4,23 +4,23 @@ from typing import Iterator, List, Tuple
 
 import numpy as np
 
-from .problem import PLACES, PROFILE, FileKind, Problem
+from .problem import PROFILES, RUPTURE, FileKind
 from .textfile import TextFile
 
 Fault = Tuple[int, str]  # a line and what is wrong there
 
 
-def faults(file: TextFile, kind: FileKind, problem: Problem) -> List[Fault]:
+def faults(file: TextFile, kind: FileKind, has_equal_steps: bool) -> List[Fault]:
     values = np.array([text.split() for _, text in file.rows], dtype=float)
     lines = [line for line, _ in file.rows]
     found: List[Fault] = []
-    if kind.layout == PROFILE:
+    if kind.source == PROFILES:
         found += _positions(lines, values)
         lines, values = lines[1:], values[1:]
-    if kind.layout == PLACES:
+    if kind.source == RUPTURE:
         found += _places(lines, values)
     else:
-        found += _times(file, lines, values[:, 0], problem.has_equal_steps)
+        found += _times(file, lines, values[:, 0], has_equal_steps and kind.is_station)
     return found or list(_columns(lines, values, kind))
 
 

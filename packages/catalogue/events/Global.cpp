@@ -47,18 +47,18 @@ Global::Global(Teuchos::ParameterList const& parameters, io::OutputContext const
 
 void Global::write(io::StepInfo const& step)
 {
-  has_row_ = rule_.isDue(step);
-  if (!has_row_) {
+  if (!rule_.isDue(step)) {
     return;
   }
   std::vector<double> rates, slip;
   slip_rate_.values(rates);
   slip_.values(slip);
-  peak_slip_rate_ = step.peak_slip_rate;
-  moment_rate_ = moment(rates, 1);
-  file_.writeRow(io::exactNumber(step.time) + ',' + io::shortNumber(peak_slip_rate_) + ',' +
-                 io::shortNumber(moment_rate_) + ',' +
-                 io::shortNumber(moment(slip, slip_.components)));
+  std::string row = io::exactNumber(step.time);
+  for (const double value :
+       {step.peak_slip_rate, moment(rates, 1), moment(slip, slip_.components)}) {
+    row += ',' + io::exactNumber(value);
+  }
+  file_.writeRow(row);
 }
 
 // The integral over the fault of the shear modulus times the magnitude of the values.

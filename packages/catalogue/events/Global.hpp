@@ -26,12 +26,6 @@ public:
   void finish() override {}
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
-  void offer(io::Offers& offers) const override { offers.add(*this); }
-
-  // Whether the step that was written last has a row, and what stands there.
-  bool hasRow() const { return has_row_; }
-  double peakSlipRate() const { return peak_slip_rate_; } // [m/s]
-  double momentRate() const { return moment_rate_; }      // [N m/s], of a curve [N/s]
 
 private:
   double moment(std::vector<double> const& values, int components) const;
@@ -42,7 +36,5 @@ private:
   std::vector<double> rigidity_; // (num_owned) [N/m] or [N] modulus times weight; 0: not counted
   io::WriteRule rule_;
   io::TextTable file_;
-  bool has_row_ = false;
-  double peak_slip_rate_ = 0, moment_rate_ = 0;
 };
 } // namespace asperity::catalogue

@@ -27,11 +27,6 @@ public:
   void finish() override;
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
-  void offer(io::Offers& offers) const override { offers.add(*this); }
-
-  // (num_owned) When each node first reached the threshold in the run [s]; nan: not yet.
-  std::vector<double> const& firstTimes() const { return first_time_; }
-  using EventFollower::threshold;
 
 protected:
   void begin(Sample const& now) override;

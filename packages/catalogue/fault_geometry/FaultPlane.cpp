@@ -87,12 +87,22 @@ double FaultPlane::downDip(double const* x) const
 FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up,
                       std::optional<int> boundary)
 {
+  auto const plane = meanPlane(fault, up, boundary);
+  ASPERITY_REQUIRE(plane, "The facets of the fault cancel each other: it has no mean plane. Is it "
+                          "a closed surface?");
+  return *plane;
+}
+
+std::optional<FaultPlane> meanPlane(io::OutputDomain const& fault, Direction const& up,
+                                    std::optional<int> boundary)
+{
   ASPERITY_ASSERT(fault.dimension == 3 && fault.nodes_per_element == 3);
   constexpr double level = 1e-6; // sine of a dip that is rounding
   FaultPlane plane;
   const auto area = areaNormal(fault, boundary);
-  ASPERITY_REQUIRE(length(area) > 0, "The facets of the fault cancel each other: it has no mean "
-                                     "plane. Is it a closed surface?");
+  if (!(length(area) > 0)) {
+    return {};
+  }
   plane.normal = unit(area);
   const Direction upwards = unit(up);
   plane.dip = scaled(across(upwards, plane.normal), -1);

@@ -29,4 +29,8 @@ struct FaultPlane
 // of, the plane is that of this one alone. Collective.
 FaultPlane faultPlane(io::OutputDomain const& fault, Direction const& up,
                       std::optional<int> boundary = {});
+
+// The same, or nothing where faultPlane throws: the facets of a closed surface cancel each other.
+std::optional<FaultPlane> meanPlane(io::OutputDomain const& fault, Direction const& up,
+                                    std::optional<int> boundary = {});
 } // namespace asperity::catalogue

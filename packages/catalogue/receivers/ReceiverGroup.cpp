@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "catalogue/fault_geometry/FaultPlaces.hpp"
+#include "catalogue/fault_geometry/FaultAxis.hpp"
 #include "io/series/SeriesLayout.hpp"
 
 #include <algorithm>
@@ -105,10 +105,6 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
   of_elements_ = std::make_unique<Sampling>(domain, located, io::Centring::elements);
   if (domain.isCurve()) {
     positions_ = (*sampling_)(domain.positions, 1);
-    const bool is_level =
-      io::startOf(domain) == io::CurveStart::smaller_x || faultAxis(domain).is_level;
-    along_ = std::string(" m from the ") + (is_level ? "end of smaller x" : "upper end") +
-             (domain.parts.empty() ? "" : " (" + io::partsText(domain) + ')');
   }
 }
 
@@ -144,14 +140,6 @@ std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
   }
   field.values(values);
   return sampling(values, field.components);
-}
-
-std::string ReceiverGroup::placeText(std::size_t receiver) const
-{
-  auto const first = coordinates_.begin() + static_cast<long>(receiver * domain_.dimension);
-  const std::string along =
-    positions_.empty() ? "" : ", " + formatShort(positions_[receiver]) + along_;
-  return pointText({first, first + domain_.dimension}) + " m" + along;
 }
 
 void ReceiverGroup::describe(h5::File& file, std::string const& group) const

@@ -39,12 +39,6 @@ public:
   std::vector<double> sample(io::OutputField const& field) const;
   std::vector<io::OutputField const*> const& chosenFields() const { return chosen_; }
 
-  io::OutputDomain const& domain() const { return domain_; }
-  std::size_t size() const { return places_.size(); }
-  std::string const& name(std::size_t receiver) const { return places_[receiver].name; }
-  // "(0, -12.5) m", on the domain; on a curve also how far along it, from which end.
-  std::string placeText(std::size_t receiver) const;
-
   // Names and places. On rank 0.
   void describe(h5::File& file, std::string const& group) const;
 
@@ -56,7 +50,6 @@ private:
   std::vector<NamedPlace> places_;
   std::vector<double> coordinates_; // (num_receivers, dimension) [m] on the domain
   std::vector<double> positions_;   // (num_receivers) [m] of a curve, otherwise empty
-  std::string along_;               // what positions on a curve count from
   std::unique_ptr<Sampling> sampling_, of_elements_; // nodal values, those of elements
   std::vector<io::OutputField const*> chosen_;
   // How the values at the receivers' places are found, of each field that was sampled.

@@ -62,7 +62,9 @@ Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
                "The fields of these names are written for receivers on the fault. If it is left "
                "out, these are slip, slip_rate, traction, normal_stress, and the state as theta, "
                "or as psi or alpha where the laws do not define theta; a fault without friction "
-               "has no normal stress and no state.")
+               "has no normal stress and no state. In three dimensions slip_velocity is written, "
+               "too, and with fluids in the fault effective_normal_stress and their "
+               "pore_pressure, darcy_velocity, fluid_pressure and temperature.")
     .textArray("Body Fields", std::vector<std::string>{"displacement", "velocity"},
                "The fields of these names are written for receivers in the body.");
   io::WriteRule::declare(parameters, 1, 0);
@@ -83,14 +85,20 @@ std::vector<std::string> faultFields(Teuchos::ParameterList const& parameters,
     return parameters.get<Teuchos::Array<std::string>>("Fault Fields").toVector();
   }
   std::vector<std::string> fields{"slip", "slip_rate", "traction"};
-  if (registry.hasField("fault", "normal_stress")) {
-    fields.emplace_back("normal_stress");
-  }
-  for (auto const* state : {"theta", "psi", "alpha"}) {
-    if (registry.hasField("fault", state)) {
-      fields.emplace_back(state);
-      break;
+  const auto addIfThere = [&](std::string const& name) {
+    const bool is_there = registry.hasField("fault", name);
+    if (is_there) {
+      fields.push_back(name);
     }
+    return is_there;
+  };
+  for (auto const* name : {"slip_velocity", "normal_stress", "effective_normal_stress"}) {
+    addIfThere(name);
+  }
+  // The first of these alone.
+  static_cast<void>(addIfThere("theta") || addIfThere("psi") || addIfThere("alpha"));
+  for (auto const* name : {"pore_pressure", "darcy_velocity", "fluid_pressure", "temperature"}) {
+    addIfThere(name);
   }
   return fields;
 }
@@ -116,16 +124,9 @@ Receivers::Receivers(Teuchos::ParameterList const& parameters, io::OutputContext
   }
 }
 
-ReceiverGroup const* Receivers::group(std::string const& name) const
-{
-  const auto found = groups_.find(name);
-  return found == groups_.end() ? nullptr : &found->second;
-}
-
 void Receivers::write(io::StepInfo const& step)
 {
-  has_row_ = rule_.isDue(step) && !groups_.empty();
-  if (!has_row_) {
+  if (!rule_.isDue(step) || groups_.empty()) {
     return;
   }
   std::vector<std::vector<double>> row{{step.time}, {static_cast<double>(step.step)}};

@@ -30,21 +30,10 @@ public:
   void save(io::Archive& archive) const override;
   void restore(io::Archive const& archive) override;
 
-  void offer(io::Offers& offers) const override { offers.add(*this); }
-
-  // Whether the step that was written last has a row.
-  bool hasRow() const { return has_row_; }
-
-  // The receivers on the fault and those in the body; null: there are none.
-  ReceiverGroup const* onFault() const { return group("on_fault"); }
-  ReceiverGroup const* inBody() const { return group("off_fault"); }
-
 private:
-  ReceiverGroup const* group(std::string const& name) const;
   std::string signature() const;
 
   io::WriteRule rule_;
-  bool has_row_ = false;
   std::map<std::string, ReceiverGroup> groups_; // "off_fault", "on_fault"; those in use
   std::unique_ptr<io::SegmentedTable> table_;   // null without receivers
 };

@@ -22,7 +22,7 @@ namespace asperity::io
 namespace
 {
 constexpr char const* format_name = "asperity checkpoint";
-constexpr std::int64_t format_version = 9;
+constexpr std::int64_t format_version = 10;
 
 std::string checksumOf(std::vector<std::string> const& parameters,
                        std::vector<std::string> const& values,

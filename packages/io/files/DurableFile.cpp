@@ -57,25 +57,4 @@ void replaceDurably(std::filesystem::path const& file)
   const auto folder = file.parent_path();
   synchronise(folder.empty() ? std::filesystem::path(".") : folder);
 }
-
 } // namespace asperity::io::detail
-
-namespace asperity::io
-{
-ReplacingText::ReplacingText(std::filesystem::path const& file) : file_(file)
-{
-  std::error_code ignored; // without the folder the file cannot be opened, which finish() reports
-  std::filesystem::create_directory(file.parent_path(), ignored);
-  stream_.open(detail::temporaryName(file), std::ios::binary);
-}
-
-void ReplacingText::finish()
-{
-  stream_.close();
-  if (!stream_) {
-    throw OutputError(file_.string() + " cannot be written. " +
-                      whyNotWritten(detail::temporaryName(file_)));
-  }
-  detail::replace(file_);
-}
-} // namespace asperity::io

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <string>
 
 namespace asperity::io::detail
 {
@@ -20,22 +18,4 @@ void replace(std::filesystem::path const& file);
 
 // The same, but even a machine that stops leaves the old or the new file.
 void replaceDurably(std::filesystem::path const& file);
-
 } // namespace asperity::io::detail
-
-namespace asperity::io
-{
-// A text that takes the place of a file once it is complete.
-class ReplacingText
-{
-public:
-  explicit ReplacingText(std::filesystem::path const& file); // makes its folder if there is none
-
-  void add(std::string const& text) { stream_ << text; }
-  void finish(); // throws OutputError if anything could not be written
-
-private:
-  std::filesystem::path file_;
-  std::ofstream stream_;
-};
-} // namespace asperity::io

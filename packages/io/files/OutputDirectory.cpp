@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "io/TextFormat.hpp"
+#include "io/Output.hpp"
 #include "io/files/DurableFile.hpp"
 
 #include <algorithm>
@@ -27,9 +27,6 @@ std::vector<std::string> namesOfFiles()
   };
   for (auto const& name : OutputRegistry::instance().names()) {
     add(OutputRegistry::instance().at(name).files());
-  }
-  for (auto const& name : TextFormatRegistry::instance().names()) {
-    add(TextFormatRegistry::instance().at(name).files());
   }
   return names;
 }

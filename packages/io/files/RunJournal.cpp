@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 
 #include <chrono>
+#include <cmath>
 
 namespace asperity::io
 {
@@ -29,6 +30,20 @@ std::string member(std::string const& name, std::string const& json)
 {
   return ", " + quoted(name) + ": " + json;
 }
+// A number, or an array of several; of JSON, which has no inf and nan.
+std::string number(double value) { return std::isfinite(value) ? formatNumber(value) : "null"; }
+
+std::string numbers(std::vector<double> const& values)
+{
+  if (values.size() == 1) {
+    return number(values.front());
+  }
+  std::string text;
+  for (const double value : values) {
+    text += (text.empty() ? "[" : ", ") + number(value);
+  }
+  return text + ']';
+}
 } // namespace
 
 RunJournal::RunJournal(std::filesystem::path const& file, bool append, Communicator const& comm)
@@ -44,6 +59,15 @@ void RunJournal::at(std::int64_t step, double time)
 {
   step_ = step;
   time_ = time;
+}
+
+void RunJournal::fault(Facts const& facts)
+{
+  std::string more;
+  for (auto const& [name, values] : facts) {
+    more += member(name, numbers(values));
+  }
+  write("fault", more);
 }
 
 void RunJournal::restart() { write("restart", ""); }

@@ -15,10 +15,15 @@
 
 namespace asperity::io
 {
+// Numbers, and vectors of several, by name.
+using Facts = std::map<std::string, std::vector<double>>;
+
 // DIR/run.jsonl: what programs need to know of the course of a run, one JSON object a line, beside
 // run.log, which is for people. Each object has `event`, `step` and `time` [s], and
 //
 //   begin    `clock`, the seconds since 1970; a process begins to write
+//   fault    how the fault lies (catalogue/FaultFacts.hpp) and `one_sense`, which is
+//            0 where the sense of positive slip differs between its parts
 //   restart  the process goes on from the checkpoint of that step: what came after it is void
 //   warning  `topic` and `text` (base/Warning.hpp); a restart repeats those up to its checkpoint,
 //            with their own step and time
@@ -39,6 +44,7 @@ public:
   // How far the run is: the step and the time that the lines to come have.
   void at(std::int64_t step, double time);
 
+  void fault(Facts const& facts);
   void restart();
   void warn(Warning const& warning);
   // The topics of the warnings of the run, also of those that have been repeated.

@@ -28,6 +28,8 @@ public:
 
   void message(std::string const& text) { log_.message(text); }
   void warn(Warning const& warning);
+  // For programs that read the results.
+  void fault(Facts const& facts) { journal_.fault(facts); }
   // The topics of the warnings of the run.
   std::set<std::string> topics() const { return journal_.topics(); }
   // Adds the time left.

@@ -6,30 +6,10 @@
 #include "base/parallel/Agreement.hpp"
 #include "io/files/DurableFile.hpp"
 
-#include <sstream>
 #include <utility>
 
 namespace asperity::io
 {
-namespace
-{
-// The first lines of different length of two headers, or the last ones.
-std::pair<std::string, std::string> difference(std::string const& earlier, std::string const& now)
-{
-  std::istringstream ours(earlier), theirs(now);
-  std::string our_line, their_line;
-  while (our_line.size() == their_line.size() && !(ours.eof() && theirs.eof())) {
-    our_line.clear();
-    their_line.clear();
-    std::getline(ours, our_line);
-    std::getline(theirs, their_line);
-  }
-  return {our_line, their_line};
-}
-
-std::string lastLine(std::string const& text) { return text.substr(text.find_last_of('\n') + 1); }
-} // namespace
-
 TextTable::TextTable(std::filesystem::path file, std::string header, RCP<const Communicator> comm)
     : file_(std::move(file))
     , header_(std::move(header))
@@ -62,19 +42,10 @@ void TextTable::writeRow(std::string const& row)
   }
 }
 
-void TextTable::setHeader(std::string const& header)
-{
-  ASPERITY_ASSERT(header.size() == header_.size());
-  header_ = header;
-}
-
 void TextTable::flush()
 {
   onRoot(*comm_, [&] {
     open();
-    stream_.seekp(0);
-    stream_ << header_;
-    stream_.seekp(num_bytes_);
     requireWritten(stream_, file_);
     detail::synchronise(file_);
   });
@@ -119,13 +90,11 @@ void TextTable::requireEarlierTable(Archive const& archive) const
   std::string header(archive.getInteger("header_bytes"), '\0');
   std::ifstream(file_, std::ios::binary)
     .read(header.data(), static_cast<std::streamsize>(header.size()));
-  const bool is_same = header.size() == header_.size() && lastLine(header) == lastLine(header_);
-  const auto [earlier, now] = difference(header, header_);
-  ASPERITY_REQUIRE(is_same, file_.string()
-                              << " is not the table that the checkpoint continues: its "
-                                 "header has the line '"
-                              << earlier << "', where that of this run has '" << now
-                              << "'. Restart with the deck of the earlier run.");
+  ASPERITY_REQUIRE(header == header_, file_.string()
+                                        << " is not the table that the checkpoint continues: its "
+                                           "header is '"
+                                        << header << "', that of this run '" << header_
+                                        << "'. Restart with the deck of the earlier run.");
 }
 
 void TextTable::restore(Archive const& archive)

@@ -16,14 +16,11 @@ class TextTable
 {
 public:
   // The constructor touches no file. The first row or flush makes the folder and the file, which
-  // begins with the header: any number of lines, the last of which names the columns.
+  // begins with the header, a line that names the columns.
   TextTable(std::filesystem::path file, std::string header, RCP<const Communicator> comm);
 
   // `row` has no end of line. Ignored on ranks other than 0.
   void writeRow(std::string const& row);
-
-  // Replaces the header by one of the same length; it is on disk after the next flush.
-  void setHeader(std::string const& header);
 
   // Writes everything to disk. Collective; OutputError on every rank if writing has failed.
   void flush();
@@ -32,8 +29,7 @@ public:
   void save(Archive& archive) const;
 
   // Removes the rows written after the checkpoint. Throws InputError if the file is shorter than
-  // then, has other rows or columns, or a header of another length; another header of the same
-  // length is replaced. Collective.
+  // then, or has other rows or another header. Collective.
   void restore(Archive const& archive);
 
 private:

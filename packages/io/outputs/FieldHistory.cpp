@@ -46,8 +46,7 @@ FieldHistory::FieldHistory(std::string const& domain, Teuchos::ParameterList con
 
 void FieldHistory::write(StepInfo const& step)
 {
-  has_row_ = rule_.isDue(step);
-  if (has_row_) {
+  if (rule_.isDue(step)) {
     series_.append(step);
   }
 }

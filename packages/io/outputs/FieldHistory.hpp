@@ -23,9 +23,6 @@ public:
   void save(Archive& archive) const override;
   void restore(Archive const& archive) override;
 
-  // Whether the last call of write() has added a row.
-  bool hasRow() const { return has_row_; }
-
 protected:
   struct Defaults
   {
@@ -39,7 +36,6 @@ protected:
 private:
   WriteRule rule_;
   SegmentedSeries series_;
-  bool has_row_ = false;
 };
 
 class FaultHistory : public FieldHistory
@@ -51,7 +47,6 @@ public:
   static std::vector<std::string> files() { return {"fault.h5", "fault.xdmf"}; }
 
   FaultHistory(Teuchos::ParameterList const& parameters, OutputContext const& context);
-  void offer(Offers& offers) const override { offers.add(*this); }
 };
 
 class SurfaceHistory : public FieldHistory

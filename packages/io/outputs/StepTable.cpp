@@ -38,7 +38,7 @@ public:
       return; // the initial state
     }
     std::string row = std::to_string(step.step) + ',' + exactNumber(step.time) + ',' +
-                      shortNumber(step.step_size) + ',' + shortNumber(step.peak_slip_rate) + ',' +
+                      exactNumber(step.step_size) + ',' + shortNumber(step.peak_slip_rate) + ',' +
                       shortNumber(step.wall_time);
     for (OutputScalar const* scalar : scalars_) {
       row += ',' + shortNumber(scalar->value());

@@ -54,6 +54,11 @@ SegmentedTable::Options tableOf(SegmentedSeries::Options const& given, SeriesLay
   options.rows_per_write = rowsPerWrite(given, layout);
   options.nodes = &domain;
   options.columns = timeColumns();
+  options.columns.push_back({"peak_slip_rate",
+                             "m/s",
+                             "Largest slip rate of the fault where friction decides on it.",
+                             h5::Type::float64,
+                             {}});
   for (auto const& field : layout.fields) {
     options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
                                layout.rowShape(field),
@@ -82,7 +87,8 @@ SegmentedSeries::SegmentedSeries(Options const& options, OutputDomain const& dom
 
 void SegmentedSeries::append(StepInfo const& step)
 {
-  std::vector<std::vector<double>> columns{{step.time}, {static_cast<double>(step.step)}};
+  std::vector<std::vector<double>> columns{
+    {step.time}, {static_cast<double>(step.step)}, {step.peak_slip_rate}};
   for (OutputField const* field : fields_) {
     columns.emplace_back();
     field->values(columns.back());

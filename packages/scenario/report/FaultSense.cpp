@@ -342,14 +342,9 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
 }
 
 template <int Dim>
-std::vector<Warning> warnOfText(Problem<Dim> const& problem, ParameterList const& deck)
+bool haveOneSense(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  auto const format = deck.sublist("Output").get<std::string>("Text Format");
-  if (format == "None") {
-    return {};
-  }
   std::optional<FaultSides> first;
-  std::string of_first;
   for (auto const& name : problem.boundary.faults) {
     auto const fault = meanOf(problem, deck, name);
     if (!fault.has_sides) {
@@ -357,23 +352,17 @@ std::vector<Warning> warnOfText(Problem<Dim> const& problem, ParameterList const
     }
     if (!first) {
       first = fault.sides;
-      of_first = name;
     } else if (Dim == 3 ? dot(first->plus, fault.sides.plus) < 0
                         : senseInWords(*first, 1) != senseInWords(fault.sides, 1)) {
-      return {{"sense in text files",
-               "Text Format = " + format +
-                 " takes one sense of slip for all faults, but it is not " + "the same on '" +
-                 of_first + "' and '" + name +
-                 "' (see their lines above): slip and shear stress of one of them have the wrong "
-                 "sign in these files. Take them from fault.h5 and receivers.h5."}};
+      return false;
     }
   }
-  return {};
+  return true;
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::vector<std::string> describeSense(Problem<Dim> const&, ParameterList const&);      \
-  template std::vector<Warning> warnOfText(Problem<Dim> const&, ParameterList const&);
+  template bool haveOneSense(Problem<Dim> const&, ParameterList const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/Warning.hpp"
 #include "scenario/Problem.hpp"
 
 #include <array>
@@ -56,7 +55,8 @@ std::string rakeInWords(FaultSides const& sides, std::array<double, 3> const& sl
 template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck);
 
-// Of files for SEAS and SCEC, which have one sense for all faults, where theirs differ. Collective.
+// Whether positive slip has the same sense on all faults, as files for SEAS and SCEC take it.
+// Collective.
 template <int Dim>
-std::vector<Warning> warnOfText(Problem<Dim> const& problem, ParameterList const& deck);
+bool haveOneSense(Problem<Dim> const& problem, ParameterList const& deck);
 } // namespace asperity::scenario

@@ -155,8 +155,6 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   describeWedge(deck, problem.upright.down, description);
   const auto sense = describeSense(problem, deck);
   lines.insert(lines.end(), sense.begin(), sense.end());
-  const auto of_text = warnOfText(problem, deck);
-  description.warnings.insert(description.warnings.end(), of_text.begin(), of_text.end());
   if (auto const of_shape = warnOfCellShape(problem)) {
     description.warnings.push_back(*of_shape);
   }

@@ -7,6 +7,7 @@
 #include "base/program/MpiScope.hpp"
 #include "base/program/Signals.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "catalogue/FaultFacts.hpp"
 #include "catalogue/receivers/OnFault.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "io/Archive.hpp"
@@ -18,6 +19,7 @@
 #include "scenario/LockedFields.hpp"
 #include "scenario/OutputFields.hpp"
 #include "scenario/deck/Coordinates.hpp"
+#include "scenario/report/FaultSense.hpp"
 #include "scenario/report/RunReport.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
@@ -52,6 +54,7 @@ public:
   Description description() const override;
 
 private:
+  void tellOfFault(); // to the journal
   int makeSteps(StopSignals const& signals);
   void begin();
   void advance();
@@ -168,6 +171,7 @@ int SimulationOf<Dim>::run()
   for (auto const& warning : of_start.warnings) {
     record_->warn(warning);
   }
+  tellOfFault();
   for (auto const& [name, domain] : outputs_->leftOut()) {
     record_->message("Output / " + name + " is left out: the model has no " + domain +
                      (domain == "surface" ? ". Give a boundary the Type Free Surface." : "."));
@@ -203,6 +207,17 @@ int SimulationOf<Dim>::run()
   } catch (...) {
     endEarly(std::runtime_error("an exception of unknown type was thrown."));
     throw;
+  }
+}
+
+template <int Dim>
+void SimulationOf<Dim>::tellOfFault()
+{
+  auto const fault = domains_.find("fault");
+  if (fault != domains_.end()) {
+    auto facts = catalogue::faultFacts(fault->second, evolution_.problem().upright.up);
+    facts["one_sense"] = {haveOneSense(evolution_.problem(), *deck_) ? 1. : 0.};
+    record_->fault(facts);
   }
 }
 

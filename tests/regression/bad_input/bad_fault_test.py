@@ -53,15 +53,16 @@ class Conditions(FaultCase):
                     "the initial slip rate is zero", "Give 'Slip Rate' a value there",
                     "the same on both sides")
 
-    def test_text_files_without_friction(self):
-        changes = {**TWO_SIDED, "Boundary Conditions/Fault/Type": "Prescribed Slip Rate",
-                   "Boundary Conditions/Fault/Slip Rate": 1e-6,
-                   "Output/Receivers/On Fault/mid": 0.5}
-        for text in ("SEAS", "SCEC"):
-            self.assert_refused(
-                [*self.arguments({**changes, "Output/Text Format": text}), "--remove", "Friction"],
-                f"Asperity / Output / Text Format = {text} needs a fault with friction",
-                "Leave out 'Text Format'")
+    def test_files_for_platforms_are_no_output_any_more(self):
+        for name, inside in (("Text Format", '<Parameter name="Text Format" type="string" '
+                                             'value="SEAS"/>'),
+                             ("SCEC", '<ParameterList name="SCEC"/>')):
+            pathlib.Path("former.xml").write_text(
+                '<ParameterList name="Asperity"><ParameterList name="Output">'
+                f'{inside}</ParameterList></ParameterList>')
+            self.assert_refused([*self.arguments(TWO_SIDED), "--overlay", "former.xml"],
+                                f"Asperity / Output / {name} is no entry of a deck any more",
+                                f'--remove "Output/{name}"', "asperity-platform write DIR")
 
     def test_on_the_surface_of_the_body(self):
         self.refuse({"Boundary Conditions/Fault/Type": "Two-Sided Fault"},

@@ -137,7 +137,7 @@ class OutOfBalance(unittest.TestCase):
         "Mesh/Rectangle/Width=200e3", "Mesh/Rectangle/Height=200e3",
         "Mesh/Rectangle/Lower Left={0, -200e3}", "Mesh/Rectangle/Cells X=8",
         "Mesh/Rectangle/Cells Y=5", "Mesh/Rectangle/Cell Size=5e3 + 0.5 * max(x, -y)",
-        "Friction/a=0.025", "Output/Text Format=None", "Output/Receivers/Enabled=false",
+        "Friction/a=0.025", "Output/Receivers/Enabled=false",
         "Time Stepping/Final Time=1")]
     STEADY, IN_MPA = "Initial State/State=Steady", "Friction/Shear Traction=26.54612"
 

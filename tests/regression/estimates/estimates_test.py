@@ -85,7 +85,7 @@ class Fronts(unittest.TestCase):
     def warnings(self, law, *changes):
         folder = asperity_run.run_to_end(
             law.lower(), XML / "bp6.xml", *settings(
-                f"Friction/State Evolution={law}", "Output/Text Format=None", *changes),
+                f"Friction/State Evolution={law}", *changes),
             timeout=200)
         of_run = facts(folder, 1800.0)
         log = (folder / "run.log").read_text()

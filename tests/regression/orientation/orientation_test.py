@@ -1,5 +1,6 @@
 """Which way is up, which side of a fault is plus, and what the log says of both."""
 
+import json
 import pathlib
 import re
 import unittest
@@ -63,11 +64,11 @@ class SeveralFaults(unittest.TestCase):
                       "counterclockwise, seen against +z.", lines_of(SQUARE, *ring))
 
     def test_text_files_take_one_sense(self):
-        text = settings({"Output/Text Format": "SEAS", "Output/Receivers/On Fault/mid": 1000.})
-        warning = "takes one sense of slip for all faults"
-        self.assertNotIn(warning, "\n".join(lines_of(TWO_FAULTS, *text)))
-        self.assertNotIn(warning, "\n".join(lines_of(TWO_FAULTS, *self.LEVEL)))
-        self.assertIn(warning, "\n".join(lines_of(TWO_FAULTS, *self.LEVEL, *text)))
+        for name, changes, expected in (("one", (), 1), ("two", self.LEVEL, 0)):
+            folder = asperity_run.run_to_end(f"sense_{name}", TWO_FAULTS, *changes)
+            entries = map(json.loads, (folder / "run.jsonl").read_text().splitlines())
+            facts = next(entry for entry in entries if entry["event"] == "fault")
+            self.assertEqual(facts["one_sense"], expected)
 
 
 class Up(unittest.TestCase):

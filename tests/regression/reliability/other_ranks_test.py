@@ -20,7 +20,7 @@ ADAPTIVE = [runs.DECK, *runs.settings(
     "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu")]
 FREQUENT = runs.settings("Output/Checkpoint Every n Steps=10")
 FAULTS = [asperity_run.SOURCE / "xml" / "tpv101_two_sided.xml", *runs.settings(
-    "Mesh/Rectangle/Cell Size Factor=8", "Output/SCEC/Date=2024/05/31")]
+    "Mesh/Rectangle/Cell Size Factor=8")]
 # In equilibrium: a single rank condenses it to its fault.
 STRIP = [asperity_run.SOURCE / "tests" / "verification" / "back_slip" / "strip.xml",
          *runs.settings("Boundary Conditions/Fault/Plate Rate=1e-4", "Time Stepping/Final Time=4")]

@@ -193,6 +193,9 @@ TEST(SurfaceGlobal, MomentOfTheWholeFault)
     // 12 m^2 at 1e-4 m/s; at step 2 three of them at 1, 2 and 2 m/s. Slip then: 1.50005 m twice
     // and 1.00005 m of these, 2e-4 m of the others.
     test::expectParts(lines[1], {"0,0.0001,36000000,0"});
-    test::expectParts(lines[3], {"2,2,1.50027e+11,1.650615e+11"});
+    test::expectParts(lines[3], {"2,2,"});
+    const auto comma = lines[3].find_last_of(',');
+    EXPECT_NEAR(std::stod(lines[3].substr(4)), 1.50027e11, 1e-4);
+    EXPECT_NEAR(std::stod(lines[3].substr(comma + 1)), 1.650615e11, 1e-4);
   });
 }

@@ -205,7 +205,7 @@ TEST_F(Checkpoint, OtherVersionIsRefused)
     h5.setAttribute("format", std::string("asperity checkpoint"), h5::TextLength::fixed);
     h5.setAttribute("format_version", std::int64_t(99));
   });
-  test::expectParts(errorOfReading(), {"has format version 99, but this version reads 9"});
+  test::expectParts(errorOfReading(), {"has format version 99, but this version reads 10"});
 }
 
 namespace

@@ -46,6 +46,9 @@ TEST(OutputSet, WritesRowsWhereTheDeckAsks)
   test::onRankZero([&] {
     EXPECT_EQ(test::readNumbers(directory / "volume.h5", "time"),
               (std::vector<double>{0, 3.25, 9, 15}));
+    const auto rates = test::readNumbers(directory / "volume.h5", "peak_slip_rate");
+    ASSERT_EQ(rates.size(), 4u);
+    EXPECT_EQ(rates[1], std::exp(3 * std::sin(3.25)));
     std::ifstream table(directory / "steps.csv");
     std::string header, first;
     std::getline(table, header);
@@ -97,9 +100,6 @@ TEST(OutputSet, MistakesInTheDeckAreNamed)
   ParameterList negative;
   negative.sublist("Fault History").set("Every n Steps", -1);
   test::expectParts(error(negative), {"Every n Steps = -1"});
-  ParameterList format;
-  format.set("Text Format", "SEES");
-  test::expectParts(error(format), {"Asperity / Output / Text Format"});
   ParameterList field;
   field.sublist("Fault History").set("Fields", Teuchos::Array<std::string>(1, "slip_rat"));
   test::expectParts(error(field), {"Did you mean 'slip_rate'?"});

@@ -11,6 +11,7 @@ TEST(RunJournal, WritesALineForEachEvent)
   test::TemporaryDirectory directory;
   {
     io::RunJournal journal(directory / "run.jsonl", false, *world());
+    journal.fault({{"level", {1}}, {"strike", {0.1, 0, -1}}});
     journal.at(7, 0.5);
     io::Progress progress;
     progress.wall_time = 12.5;
@@ -26,6 +27,8 @@ TEST(RunJournal, WritesALineForEachEvent)
   world()->barrier();
   const std::string text = test::contents(directory / "run.jsonl");
   const std::string expected =
+    "{\"event\": \"fault\", \"step\": 0, \"time\": 0, \"level\": 1, "
+    "\"strike\": [0.1, 0, -1]}\n"
     "{\"event\": \"progress\", \"step\": 7, \"time\": 0.5, \"wall_time\": 12.5, "
     "\"peak_slip_rate\": 1e-09}\n"
     "{\"event\": \"progress\", \"step\": 7, \"time\": 0.5, \"wall_time\": 12.5, "

@@ -56,7 +56,8 @@ TEST(TextTable, RestartRefusesAnotherTable)
   test::TemporaryDirectory directory;
   const Archive archive = killedAfterCheckpoint(directory / "a.csv");
   TextTable other(directory / "a.csv", "a,c", world());
-  test::expectRefusal([&] { other.restore(archive); }, {"is not the table"});
+  test::expectRefusal([&] { other.restore(archive); },
+                      {"its header is 'a,b', that of this run 'a,c'"});
   test::onRankZero([&] { std::filesystem::resize_file(directory / "a.csv", 8); });
   TextTable shorter(directory / "a.csv", "a,b", world());
   test::expectRefusal([&] { shorter.restore(archive); }, {"has 8 bytes"});
@@ -84,68 +85,9 @@ TEST(TextTable, FolderThatDoesNotExistIsAnErrorOnEveryRank)
 TEST(TextTable, MakesItsFolder)
 {
   test::TemporaryDirectory directory;
-  TextTable file(directory / "seas/a.txt", "a", world());
+  TextTable file(directory / "folder/a.txt", "a", world());
   file.flush();
-  EXPECT_EQ(test::contents(directory / "seas/a.txt"), "a\n");
-}
-
-TEST(TextTable, AHeaderOfSeveralLinesMayChange)
-{
-  test::TemporaryDirectory directory;
-  TextTable file(directory / "a.txt", "# steps=0\na b", world());
-  file.writeRow("1 2");
-  file.setHeader("# steps=1\na b");
-  file.flush();
-  file.writeRow("3 4");
-  file.flush();
-  EXPECT_EQ(test::contents(directory / "a.txt"), "# steps=1\na b\n1 2\n3 4\n");
-}
-
-TEST(TextTable, RestartTakesTheColumnsFromTheLastLineOfTheHeader)
-{
-  test::TemporaryDirectory directory;
-  Archive archive;
-  {
-    TextTable file(directory / "a.txt", "# steps=0\na b", world());
-    file.writeRow("1 2");
-    file.flush();
-    file.save(archive);
-    file.setHeader("# steps=7\na b");
-    file.writeRow("3 4");
-    file.flush();
-  }
-  TextTable other(directory / "a.txt", "# steps=0\na c", world());
-  test::expectRefusal([&] { other.restore(archive); }, {"is not the table"});
-  TextTable file(directory / "a.txt", "# steps=0\na b", world());
-  file.restore(archive);
-  file.writeRow("5 6");
-  file.setHeader("# steps=2\na b");
-  file.flush();
-  EXPECT_EQ(test::contents(directory / "a.txt"), "# steps=2\na b\n1 2\n5 6\n");
-}
-
-TEST(TextTable, RestartNamesTheLineOfTheHeaderThatHasAnotherLength)
-{
-  test::TemporaryDirectory directory;
-  Archive archive;
-  {
-    TextTable file(directory / "a.txt", "# author=A\n# date=2024/05/31\na b", world());
-    file.writeRow("1 2");
-    file.flush();
-    file.save(archive);
-  }
-  world()->barrier();
-  TextTable longer(directory / "a.txt", "# author=A. B.\n# date=2024/05/31\na b", world());
-  test::expectRefusal([&] { longer.restore(archive); },
-                      {"the line '# author=A', where that of this run has "
-                       "'# author=A. B.'"});
-  TextTable more(directory / "a.txt", "# author=A\n# date=2024/05/31\na b c", world());
-  test::expectRefusal([&] { more.restore(archive); },
-                      {"the line 'a b', where that of this run has 'a b c'"});
-  TextTable next_day(directory / "a.txt", "# author=A\n# date=2024/06/01\na b", world());
-  next_day.restore(archive);
-  next_day.flush();
-  EXPECT_EQ(test::contents(directory / "a.txt"), "# author=A\n# date=2024/06/01\na b\n1 2\n");
+  EXPECT_EQ(test::contents(directory / "folder/a.txt"), "a\n");
 }
 
 TEST(TextTable, Numbers)

@@ -1,4 +1,4 @@
-#include "catalogue/fault_geometry/FaultPlaces.hpp"
+#include "catalogue/fault_geometry/FaultAxis.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "fem/constraints/PlaneTangent.hpp"
@@ -53,31 +53,5 @@ std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, d
   }
   Teuchos::broadcast(*fault.comm, 0, 3, found);
   return found[0] > 0 ? std::optional(std::array<double, 2>{found[1], found[2]}) : std::nullopt;
-}
-
-namespace
-{
-FaultPlaces onCurve(io::OutputDomain const& fault)
-{
-  const std::vector<double> zeros(fault.positions.size(), 0);
-  return faultAxis(fault).is_level ? FaultPlaces{fault.positions, zeros}
-                                   : FaultPlaces{zeros, fault.positions};
-}
-
-FaultPlaces onSurface(io::OutputDomain const& fault, Direction const& up)
-{
-  const FaultPlane plane = faultPlane(fault, up);
-  FaultPlaces places;
-  for (std::size_t i = 0; i < fault.numOwned(); ++i) {
-    places.along_strike.push_back(plane.alongStrike(&fault.coordinates[3 * i]));
-    places.down_dip.push_back(plane.downDip(&fault.coordinates[3 * i]));
-  }
-  return places;
-}
-} // namespace
-
-FaultPlaces faultPlaces(io::OutputDomain const& fault, Direction const& up)
-{
-  return fault.isCurve() ? onCurve(fault) : onSurface(fault, up);
 }
 } // namespace asperity::catalogue

@@ -1,4 +1,4 @@
-#include "catalogue/fault_geometry/FaultPlaces.hpp"
+#include "catalogue/fault_geometry/FaultAxis.hpp"
 #include "unit/io/Support.hpp"
 
 using namespace asperity;
@@ -13,7 +13,7 @@ io::OutputDomain uprightFault()
 }
 } // namespace
 
-TEST(FaultPlaces, PositionsAreDownDip)
+TEST(FaultAxis, PositionsAreDownDip)
 {
   const auto upright = uprightFault();
   const auto level = io::boundaryDomain("fault", test::stripMesh(4), "base", world());
@@ -29,7 +29,7 @@ TEST(FaultPlaces, PositionsAreDownDip)
 
 // The base of the strip from (0, 0) in a direction; a tangent points along +x, or along +y where
 // its part along x would be less than 0.4.
-TEST(FaultPlaces, ATangentRisesAsTheFaultDoesUnlessItIsSteep)
+TEST(FaultAxis, ATangentRisesAsTheFaultDoesUnlessItIsSteep)
 {
   const auto tangentRises = [](double x, double y) {
     auto mesh = test::stripMesh(4);
@@ -47,7 +47,7 @@ TEST(FaultPlaces, ATangentRisesAsTheFaultDoesUnlessItIsSteep)
   EXPECT_TRUE(tangentRises(1e-17, -1)) << "upright but for rounding";
 }
 
-TEST(FaultPlaces, APointIsFoundByItsDistance)
+TEST(FaultAxis, APointIsFoundByItsDistance)
 {
   const auto upright = pointAlong(uprightFault(), 0.3); // between nodes
   ASSERT_TRUE(upright);

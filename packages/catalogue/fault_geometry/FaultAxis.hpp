@@ -1,10 +1,9 @@
 #pragma once
 
-#include "catalogue/fault_geometry/FaultPlane.hpp"
+#include "io/OutputDomain.hpp"
 
 #include <array>
 #include <optional>
-#include <vector>
 
 namespace asperity::catalogue
 {
@@ -24,17 +23,4 @@ FaultAxis faultAxis(io::OutputDomain const& fault);
 // The point of a fault that is a curve at a position [m]; nothing if it is not as long. The same on
 // all ranks. Collective.
 std::optional<std::array<double, 2>> pointAlong(io::OutputDomain const& fault, double distance);
-
-// Where this rank's nodes of the fault are along strike and down dip, (num_owned).
-//
-// Of a surface in its mean plane. Of a curve, the distance along it is along strike where the curve
-// is level, because the plane of the mesh is a map then, otherwise down dip; the other one is zero.
-struct FaultPlaces
-{
-  std::vector<double> along_strike; // [m]
-  std::vector<double> down_dip;     // [m]
-};
-
-// Collective.
-FaultPlaces faultPlaces(io::OutputDomain const& fault, Direction const& up);
 } // namespace asperity::catalogue
