@@ -25,6 +25,7 @@ public:
   GrowingSteps(Teuchos::ParameterList const& parameters, ControlContext const& context)
       : StepControl(context.step)
       , steps_of_a_size_(parameters.get<int>("Steps of a Size"))
+      , level_(clock().finestLevel())
   {
   }
 
@@ -32,13 +33,37 @@ public:
 
   AcceptedStep advance(State& current, SolveCount& count) override
   {
-    const std::int64_t growth = memory_.num_steps / steps_of_a_size_;
-    const int level = static_cast<int>(std::max<std::int64_t>(clock().finestLevel() - growth, 0));
-    return makeStep(current, level, count);
+    auto const accepted = makeStep(current, level_, count);
+    if (++made_ == steps_of_a_size_) {
+      made_ = 0;
+      level_ = std::max(level_ - 1, 0);
+    }
+    return accepted;
+  }
+
+  // What a restart goes on from, beside the memory of every control.
+  void save(Archive& archive, StateArchive const& states) const override
+  {
+    StepControl::save(archive, states);
+    archive.set("growing/level", level_);
+    archive.set("growing/made", made_);
+  }
+  void restore(Archive const& archive, StateArchive const& states) override
+  {
+    StepControl::restore(archive, states);
+    level_ = static_cast<int>(archive.getInteger("growing/level"));
+    made_ = static_cast<int>(archive.getInteger("growing/made"));
+  }
+  void adaptToClock() override
+  {
+    StepControl::adaptToClock();
+    level_ = std::min(level_, clock().finestLevel());
   }
 
 private:
   int steps_of_a_size_;
+  int level_;    // of the steps of the present size
+  int made_ = 0; // steps of that size
 };
 } // namespace
 

@@ -10,16 +10,19 @@ using namespace asperity;
 struct StandardLinearSolid
 {
   static constexpr char const* name = "Standard Linear Solid";
-  static constexpr Parameter parameters[] = {
-    {"Relaxing Share", "-", no_default, 0, 1, true, true,
-     "This share of the shear modulus relaxes."},
-    {"Relaxation Time", "s", no_default, 0, infinity, false, false,
-     "Its stress falls to 1/e within this time at constant strain."}};
 
-  static std::vector<fem::RelaxingShare> relaxation(double const* values, fem::Material const&)
-  {
-    return {{values[0], values[1]}};
-  }
+  double share; // [-]
+  double time;  // [s]
+
+  static constexpr ParameterOf<StandardLinearSolid> parameters[] = {
+    {&StandardLinearSolid::share,
+     {"Relaxing Share", "-", no_default, 0, 1, true, true,
+      "This share of the shear modulus relaxes."}},
+    {&StandardLinearSolid::time,
+     {"Relaxation Time", "s", no_default, 0, infinity, false, false,
+      "Its stress falls to 1/e within this time at constant strain."}}};
+
+  std::vector<fem::RelaxingShare> relaxation(fem::Material const&) const { return {{share, time}}; }
 };
 } // namespace
 

@@ -9,9 +9,13 @@ using namespace asperity::friction;
 struct ViscousLaw
 {
   static constexpr char const* name = "Viscous";
-  static constexpr Parameter parameters[] = {
-    {"Viscous Slip Rate", "m/s", no_default, 0, infinity, false, false,
-     "Slip rate V1 at which the coefficient of friction is 1.", "Check the sign."}};
+
+  double rate; // V1, m/s
+
+  static constexpr ParameterOf<ViscousLaw> parameters[] = {
+    {&ViscousLaw::rate,
+     {"Viscous Slip Rate", "m/s", no_default, 0, infinity, false, false,
+      "Slip rate V1 at which the coefficient of friction is 1.", "Check the sign."}}};
 
   // The law at a given state; this law does not depend on the state.
   struct Curve
@@ -28,12 +32,6 @@ struct ViscousLaw
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
   };
 
-  double rate; // V1, m/s
-
-  KOKKOS_INLINE_FUNCTION static ViscousLaw load(ParameterView const& values, int node)
-  {
-    return {values(0, node)};
-  }
   KOKKOS_INLINE_FUNCTION Curve at(double) const { return {rate}; }
   KOKKOS_INLINE_FUNCTION double stateFor(double, double) const { return infinity; } // there is none
 };

@@ -9,16 +9,14 @@ using namespace asperity::friction;
 struct WearLaw
 {
   static constexpr char const* name = "Wear";
-  static constexpr Parameter parameters[] = {{"Wear Distance", "m", no_default, 0, infinity, false,
-                                              false,
-                                              "Slip D that reduces the state by a factor e."}};
 
   double distance; // D, m
 
-  KOKKOS_INLINE_FUNCTION static WearLaw load(ParameterView const& values, int node)
-  {
-    return {values(0, node)};
-  }
+  static constexpr ParameterOf<WearLaw> parameters[] = {
+    {&WearLaw::distance,
+     {"Wear Distance", "m", no_default, 0, infinity, false, false,
+      "Slip D that reduces the state by a factor e."}}};
+
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const { return -V * alpha / distance; }
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
   {

@@ -130,9 +130,13 @@ void State::visitCells(Visit const& visit, First& first, Others&... others)
 {
   static const FieldInfo of_strain = {"inelastic_strain", "inelastic strain", "-", true};
   static const FieldInfo of_shear = {"inelastic_shear", "accumulated inelastic shear", "-"};
+  static const FieldInfo of_history = {"inelastic_history", "internal variables of rock", "SI"};
   if (first.inelastic) {
     visit(of_strain, first.inelastic->strain, others.inelastic->strain...);
     visit(of_shear, first.inelastic->shear, others.inelastic->shear...);
+    if (first.inelastic->history.extent(1) > 0) {
+      visit(of_history, first.inelastic->history, others.inelastic->history...);
+    }
   }
 }
 } // namespace asperity::dynamics

@@ -6,7 +6,8 @@
 #include <vector>
 
 // What a law declares about itself besides its kernels. Its functions take the law's parameters at
-// one node in the order of its table, on the host. A function that the law does not have is empty.
+// one node in the order of its table, on the host: each calls the member function of the law whose
+// name it has, as slipDistance(). A function that the law does not have is empty.
 namespace asperity::friction
 {
 // What alpha is. A friction law and a state law go together if they have the same alpha.

@@ -5,8 +5,8 @@
 #include "friction/detail/LawStateKernels.hpp"
 
 #include <cstddef>
-#include <iterator>
 #include <memory>
+#include <utility>
 
 // These macros make a law known by its name and instantiate its kernels. Write one line at the
 // bottom of a .cpp, in this package or in any other program or library. The library has to be a
@@ -26,13 +26,13 @@
 
 namespace asperity::friction::detail
 {
-// &Law::FUNCTION, or nullptr for a law that lacks it: int binds to the first where that compiles. A
-// function whose type differs from LawProperties.hpp does not compile.
+// The law's FUNCTION() of its parameters, or nullptr for a law that lacks it: int binds to the first
+// where that compiles.
 #define ASPERITY_OPTIONAL_FUNCTION(FUNCTION)                                                       \
   template <class Law>                                                                             \
-  auto FUNCTION##Of(int)->decltype(&Law::FUNCTION)                                                 \
+  auto FUNCTION##Of(int)->decltype(std::declval<Law const&>().FUNCTION()) (*)(double const*)       \
   {                                                                                                \
-    return &Law::FUNCTION;                                                                         \
+    return [](double const* values) { return loadLaw<Law>(values).FUNCTION(); };                   \
   }                                                                                                \
   template <class Law>                                                                             \
   std::nullptr_t FUNCTION##Of(long)                                                                \
@@ -75,7 +75,7 @@ struct RegisteredFrictionLaw : FrictionLaw
 {
   RegisteredFrictionLaw()
   {
-    parameters.assign(std::begin(Law::parameters), std::end(Law::parameters));
+    appendParameters<Law>(parameters);
     sensitivity = sensitivityOf<Law>(0);
     reference_friction = referenceFrictionOf<Law>(0);
     strength_drop = strengthDropOf<Law>(0);
@@ -91,7 +91,7 @@ struct RegisteredStateLaw : StateLaw
 {
   RegisteredStateLaw()
   {
-    parameters.assign(std::begin(Law::parameters), std::end(Law::parameters));
+    appendParameters<Law>(parameters);
     slip_distance = slipDistanceOf<Law>(0);
     theta_scale = thetaScaleOf<Law>(0);
     stress_sensitivity = stressSensitivityOf<Law>(0);

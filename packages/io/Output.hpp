@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "base/Types.hpp"
-#include "io/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 #include "parameters/Kind.hpp"

@@ -1,7 +1,5 @@
 #include "io/WriteRule.hpp"
 
-#include <Teuchos_Array.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -17,41 +15,46 @@ double logOfRate(double rate)
 }
 } // namespace
 
-void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_change_factor)
+Entries<WriteRule::Conditions> WriteRule::entries(Conditions const& defaults, ParameterList& list)
 {
-  parameters
-    .integer("Every n Steps", every_n_steps, Range::atLeast(0),
+  return Entries<Conditions>(defaults, list)
+    .integer("Every n Steps", &Conditions::every_n_steps, Range::atLeast(0),
              "A row is written when this number of steps was accepted since the last row; 0 "
              "switches this rule off.")
-    .real("Rate Change Factor", rate_change_factor, "-", Range::atLeast(0),
+    .real("Rate Change Factor", &Conditions::rate_change_factor, "-", Range::atLeast(0),
           "A row is written when the peak slip rate has changed by this factor since the last row; "
           "a value of at most 1 switches this rule off.")
-    .real("Every Seconds", 0.0, "s", Range::atLeast(0),
+    .real("Every Seconds", &Conditions::interval, "s", Range::atLeast(0),
           "A row is written at the first accepted step at or after each multiple of this time; 0 "
           "switches this rule off.")
-    .real("Every Seconds of Rupture", 0.0, "s", Range::atLeast(0),
+    .real("Every Seconds of Rupture", &Conditions::interval_of_rupture, "s", Range::atLeast(0),
           "While the peak slip rate is at least the rupture rate, a row is written at the first "
           "accepted step at or after each multiple of this time; 0 switches this rule off.")
-    .real("Rupture Rate", 1e-3, "m/s", Range::positive(),
+    .real("Rupture Rate", &Conditions::rupture_rate, "m/s", Range::positive(),
           "The rule 'Every Seconds of Rupture' applies while the peak slip rate is at least this.")
     .realArray(
-      "Times", std::vector<double>{}, "s", Range::any(),
+      "Times", &Conditions::times, "s", Range::any(),
       "A row is written at each of these times, which no step passes, to within the smallest "
       "step.")
     .hint("Each of these times may need as many additional steps as there are powers of two "
           "between a step and the smallest one; 'Every Seconds' needs none.");
 }
 
-WriteRule::WriteRule(Teuchos::ParameterList const& parameters)
-    : every_n_steps_(parameters.get<int>("Every n Steps"))
-    , interval_(parameters.get<double>("Every Seconds"))
-    , interval_of_rupture_(parameters.get<double>("Every Seconds of Rupture"))
-    , rupture_rate_(parameters.get<double>("Rupture Rate"))
+void WriteRule::declare(Declare& parameters, int every_n_steps, double rate_change_factor)
 {
-  const double factor = parameters.get<double>("Rate Change Factor");
+  Conditions defaults;
+  defaults.every_n_steps = every_n_steps;
+  defaults.rate_change_factor = rate_change_factor;
+  entries(defaults, *parameters.list());
+}
+
+WriteRule::WriteRule(Teuchos::ParameterList const& parameters)
+{
+  ParameterList declared;
+  conditions_ = entries({}, declared).read(parameters, parameters.name());
+  const double factor = conditions_.rate_change_factor;
   log_rate_change_ = factor > 1 ? std::log(factor) : std::numeric_limits<double>::infinity();
-  times_ = parameters.get<Teuchos::Array<double>>("Times").toVector();
-  std::sort(times_.begin(), times_.end());
+  std::sort(conditions_.times.begin(), conditions_.times.end());
 }
 
 bool WriteRule::isDue(StepInfo const& step)
@@ -70,20 +73,21 @@ bool WriteRule::hasReason(StepInfo const& step) const
   if (!has_row_ || step.is_last) {
     return true;
   }
-  if (every_n_steps_ > 0 && step.step - last_row_.step >= every_n_steps_) {
+  if (conditions_.every_n_steps > 0 && step.step - last_row_.step >= conditions_.every_n_steps) {
     return true;
   }
   const double change = logOfRate(step.peak_slip_rate) - logOfRate(last_row_.peak_slip_rate);
   if (std::abs(change) >= log_rate_change_) {
     return true;
   }
-  const bool is_rupturing = step.peak_slip_rate >= rupture_rate_;
-  if (passesMultiple(interval_, step.time) ||
-      (is_rupturing && passesMultiple(interval_of_rupture_, step.time))) {
+  const bool is_rupturing = step.peak_slip_rate >= conditions_.rupture_rate;
+  if (passesMultiple(conditions_.interval, step.time) ||
+      (is_rupturing && passesMultiple(conditions_.interval_of_rupture, step.time))) {
     return true;
   }
-  const auto next = std::upper_bound(times_.begin(), times_.end(), last_time_);
-  return next != times_.end() && *next <= step.time;
+  auto const& times = conditions_.times;
+  const auto next = std::upper_bound(times.begin(), times.end(), last_time_);
+  return next != times.end() && *next <= step.time;
 }
 
 // Whether a multiple of the interval lies in (last_time_, time].

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "io/Archive.hpp"
+#include "base/Archive.hpp"
 #include "io/Output.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 
 #include <vector>
 
@@ -28,15 +28,23 @@ public:
   void restore(Archive const& archive);
 
 private:
+  struct Conditions
+  {
+    int every_n_steps = 0;          // 0: rule is off
+    double rate_change_factor = 0;  // at most 1: rule is off
+    double interval = 0;            // [s], 0: rule is off
+    double interval_of_rupture = 0; // likewise, while the peak slip rate is at least rupture_rate
+    double rupture_rate = 1e-3;     // [m/s]
+    std::vector<double> times = {}; // sorted [s]
+  };
+
+  // They join those of the list.
+  static Entries<Conditions> entries(Conditions const& defaults, ParameterList& list);
   bool hasReason(StepInfo const& step) const;
   bool passesMultiple(double interval, double time) const;
 
-  int every_n_steps_;          // 0: rule is off
-  double log_rate_change_;     // infinite: rule is off
-  double interval_;            // [s], 0: rule is off
-  double interval_of_rupture_; // likewise, while the peak slip rate is at least rupture_rate_
-  double rupture_rate_;        // [m/s]
-  std::vector<double> times_;  // sorted [s]
+  Conditions conditions_;
+  double log_rate_change_; // infinite: rule is off
 
   bool has_row_ = false;
   StepInfo last_row_;

@@ -64,21 +64,21 @@ std::string FloorCount::report() const
          formatShort(100 * largest_share_) + " % of the fault at a time.\n";
 }
 
-void FloorCount::save(io::Archive& archive, std::string const& path) const
+void FloorCount::save(Archive& archive) const
 {
   if (matters()) {
-    archive.set(path + "/share", share_);
-    archive.set(path + "/largest_share", largest_share_);
-    archive.set(path + "/node_steps", node_steps_);
+    archive.set("share", share_);
+    archive.set("largest_share", largest_share_);
+    archive.set("node_steps", node_steps_);
   }
 }
 
-void FloorCount::restore(io::Archive const& archive, std::string const& path)
+void FloorCount::restore(Archive const& archive)
 {
   if (matters()) {
-    share_ = archive.getDouble(path + "/share");
-    largest_share_ = archive.getDouble(path + "/largest_share");
-    node_steps_ = archive.getInteger(path + "/node_steps");
+    share_ = archive.getDouble("share");
+    largest_share_ = archive.getDouble("largest_share");
+    node_steps_ = archive.getInteger("node_steps");
   }
 }
 } // namespace asperity::scenario

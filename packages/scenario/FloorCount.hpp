@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/fault/Fault.hpp"
-#include "io/Archive.hpp"
 
 #include <string>
 
@@ -27,8 +27,8 @@ public:
   // A line for run.log; empty if the floor does not matter.
   std::string report() const;
 
-  void save(io::Archive& archive, std::string const& path) const;
-  void restore(io::Archive const& archive, std::string const& path);
+  void save(Archive& archive) const;
+  void restore(Archive const& archive);
 
 private:
   dynamics::Fault const& fault_;

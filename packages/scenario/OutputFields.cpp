@@ -269,7 +269,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   energy("energy_defect", "Defect of the energy balance since the start.",
          &dynamics::Energy::defect);
 }
-// Of local cells, 0 in those that cannot yield; empty if none can.
+// Returns what local cells have yielded: zero in elastic cells, empty if no cell can yield.
 template <int Dim>
 std::function<catalogue::YieldedStrain(std::vector<int> const&)>
 yieldedStrain(Problem<Dim> const& problem, RunView const& view)
@@ -282,10 +282,19 @@ yieldedStrain(Problem<Dim> const& problem, RunView const& view)
   for (int row = 0; row < cells->numCells(); ++row) {
     rows[cells->sharing().cells()[row]] = row;
   }
-  return [rows, &view](std::vector<int> const& of_cells) {
+  return [rows, columns = cells->history(), &view](std::vector<int> const& of_cells) {
     auto const strain = toHost(view.state->inelastic->strain);
     auto const shear = toHost(view.state->inelastic->shear);
+    auto const history = toHost(view.state->inelastic->history);
     catalogue::YieldedStrain result;
+    for (auto const& each : columns) {
+      auto& values = result.history[each.variable.name];
+      for (const int cell : of_cells) {
+        for (int k = each.first; k < each.first + each.width; ++k) {
+          values.push_back(rows[cell] < 0 ? 0 : history(rows[cell], k));
+        }
+      }
+    }
     for (const int cell : of_cells) {
       for (int k = 0; k < strain.extent_int(1); ++k) {
         result.strain.push_back(rows[cell] < 0 ? 0 : strain(rows[cell], k));
@@ -363,9 +372,16 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
         return motionAt(initial, problem.initial, with_velocity);
       }};
   };
-  const catalogue::StressedBody<Dim> body{
-    problem.mesh,    problem.components,       problem.materials, problem.branches,
-    problem.patches, problem.boundary.surface, observe,           yieldedStrain(problem, view)};
+  const catalogue::StressedBody<Dim> body{problem.mesh,
+                                          problem.components,
+                                          problem.materials,
+                                          problem.branches,
+                                          problem.patches,
+                                          problem.boundary.surface,
+                                          observe,
+                                          yieldedStrain(problem, view),
+                                          problem.body.cells ? problem.body.cells->history()
+                                                             : std::vector<fem::HistoryColumns>()};
   auto const planes = catalogue::coulombPlanes(output, Dim);
   for (auto const& [name, domain] : domains) {
     if (name != "fault") {

@@ -2,6 +2,7 @@
 
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/control/StepControlKind.hpp"
+#include "dynamics/control/Watch.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
@@ -16,6 +17,7 @@ std::vector<std::string> registrations()
        {friction::frictionLaws().registrations(), friction::stateLaws().registrations(),
         fem::bulkLaws().registrations(), dynamics::StepControlRegistry::instance().registrations(),
         dynamics::FaultProcessRegistry::instance().registrations(),
+        dynamics::WatchRegistry::instance().registrations(),
         io::OutputRegistry::instance().registrations(),
         FaultKindRegistry::instance().registrations()}) {
     all.insert(all.end(), some.begin(), some.end());

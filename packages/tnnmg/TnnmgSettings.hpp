@@ -1,7 +1,10 @@
 #pragma once
 
-#include <Teuchos_ParameterList.hpp>
-#include <Teuchos_RCP.hpp>
+namespace asperity
+{
+template <class T>
+class Entries;
+} // namespace asperity
 
 namespace asperity::tnnmg
 {
@@ -18,7 +21,6 @@ struct TnnmgSettings
   double correction_tolerance = 1e-2;
   double stiff = 1e6; // a node whose Hessian exceeds this multiple of its curvature is truncated
 
-  static Teuchos::RCP<Teuchos::ParameterList> validParameters();
-  static TnnmgSettings from(Teuchos::ParameterList const& parameters);
+  static Entries<TnnmgSettings> entries();
 };
 } // namespace asperity::tnnmg

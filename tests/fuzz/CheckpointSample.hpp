@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/Archive.hpp"
+#include "base/Archive.hpp"
 #include "io/checkpoint/Fingerprint.hpp"
 
 namespace asperity::fuzz
@@ -12,12 +12,12 @@ inline io::Fingerprint sampleFingerprint()
            {"Asperity / Mesh", "0123456789abcdef", "mesh file 'body.h5'"}}};
 }
 
-inline io::NodeSets sampleNodes() { return {{"body", {0, 1, 2, 5}}, {"fault", {1, 2}}}; }
+inline NodeSets sampleNodes() { return {{"body", {0, 1, 2, 5}}, {"fault", {1, 2}}}; }
 
 // A value of each kind.
-inline io::Archive sampleArchive()
+inline Archive sampleArchive()
 {
-  io::Archive archive;
+  Archive archive;
   archive.set("state/time", 1.5);
   archive.set("steps", 12);
   archive.set("name", std::string("wedge"));

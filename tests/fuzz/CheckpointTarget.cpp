@@ -14,7 +14,7 @@ namespace asperity::fuzz
 {
 namespace
 {
-void read(std::string const& path, io::NodeSets const& nodes)
+void read(std::string const& path, NodeSets const& nodes)
 {
   const Teuchos::MpiComm<int> communicator(MPI_COMM_SELF);
   const auto archive = io::readCheckpoint(path, sampleFingerprint(), communicator, nodes);

@@ -4,7 +4,6 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "catalogue/events/EventTable.hpp"
-#include "parameters/Parameters.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@ namespace asperity::catalogue
 {
 namespace
 {
-constexpr double no_magnitude = -99;
+constexpr char const* list_path = "Asperity / Output / Event Catalogue";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The part of the time between two samples during which the rate is at least the threshold.
@@ -39,28 +38,7 @@ double largest(std::vector<double> const& values)
 
 Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
 {
-  return Declare()
-    .boolean("Enabled", true, "If true, the run writes this output.")
-    .real("Threshold", 1e-3, "m/s", Range::positive(),
-          "A node is seismic while its slip rate is at least this. An event lasts as long as some "
-          "node is seismic.")
-    .real("Merging Time", 0.0, "s", Range::atLeast(0),
-          "Two events are one if less than this passes from the end of one to the onset of the "
-          "next.")
-    .real("Smallest Width", 0.0, "m", Range::atLeast(0),
-          "Events of a smaller width are left out of the table; the other events keep their "
-          "numbers.")
-    .real("Smallest Magnitude", no_magnitude, "-", Range::atLeast(no_magnitude),
-          "Events of a smaller moment magnitude are left out of the table, in three dimensions; "
-          "-99 leaves out none.")
-    .integer(
-      "Most Events", 0, Range::atLeast(0),
-      "The run ends before its final time when the table has this number of events; 0 means no "
-      "limit. With a larger number --restart continues a run that ended so.")
-    .boolean("Each Fault", false,
-             "If true, each of several faults also has a table, events_<boundary>.csv, of the "
-             "times in which some node of this fault is seismic.")
-    .list();
+  return EventSettings::entries().list();
 }
 
 std::string EventCatalogue::meaning()
@@ -70,42 +48,40 @@ std::string EventCatalogue::meaning()
 
 EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
                                io::OutputContext const& context)
-    : EventCatalogue(parameters, context, nullptr, {}, "events.csv")
+    : EventCatalogue(EventSettings::entries().read(parameters, list_path), context, nullptr, {},
+                     "events.csv")
 {
-  if (!parameters.get<bool>("Each Fault")) {
+  if (!settings_.each_fault) {
     return;
   }
   const auto files = eventFiles(fault().boundaries);
-  ASPERITY_REQUIRE(!files.empty(), "Asperity / Output / Event Catalogue / Each Fault is true, but "
-                                   "there is friction on one boundary alone, whose events are in "
-                                   "events.csv. Leave it out.");
+  ASPERITY_REQUIRE(!files.empty(),
+                   list_path << " / Each Fault is true, but "
+                                "there is friction on one boundary alone, whose events are in "
+                                "events.csv. Leave it out.");
   for (std::size_t i = 0; i < files.size(); ++i) {
     faults_.emplace_back(
-      new EventCatalogue(parameters, context, this, static_cast<int>(i), files[i]));
+      new EventCatalogue(settings_, context, this, static_cast<int>(i), files[i]));
   }
 }
 
-EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
-                               io::OutputContext const& context, EventCatalogue const* whole,
-                               std::optional<int> boundary, std::string const& file)
-    : EventFollower(context, parameters.get<double>("Threshold"), boundary)
+EventCatalogue::EventCatalogue(EventSettings const& settings, io::OutputContext const& context,
+                               EventCatalogue const* whole, std::optional<int> boundary,
+                               std::string const& file)
+    : EventFollower(context, settings.threshold, boundary)
+    , settings_(settings)
     , whole_(whole)
     , slip_(context.fields.field("fault", "slip"))
     , energies_(whole ? EventEnergies() : EventEnergies(context.fields))
     , file_(context.directory / file, eventColumns(!fault().isCurve()) + energies_.header(),
             context.comm)
-    , merging_time_(parameters.get<double>("Merging Time"))
-    , smallest_width_(parameters.get<double>("Smallest Width"))
-    , smallest_magnitude_(parameters.get<double>("Smallest Magnitude"))
-    , most_events_(parameters.get<int>("Most Events"))
 {
   context.fields.field("fault", "shear_modulus").values(shear_modulus_);
   ASPERITY_REQUIRE(
-    !fault().isCurve() || smallest_magnitude_ == no_magnitude,
-    "Asperity / Output / Event Catalogue / Smallest Magnitude = "
-      << smallest_magnitude_
-      << ": in two dimensions an event has a moment per length and no magnitude. Give "
-         "a Smallest Width instead.");
+    !fault().isCurve() || settings_.smallest_magnitude == EventSettings::no_magnitude,
+    list_path << " / Smallest Magnitude = " << settings_.smallest_magnitude
+              << ": in two dimensions an event has a moment per length and no magnitude. Give "
+                 "a Smallest Width instead.");
   if (!fault().isCurve()) {
     plane_ = faultPlane(fault(), context.up, boundary);
   }
@@ -118,7 +94,7 @@ void EventCatalogue::write(io::StepInfo const& step)
   EventFollower::write(step);
   largest_rate_ = std::max(largest_rate_, previous().peak);
   is_seismic_throughout_ = is_seismic_throughout_ && eventInProgress();
-  if (waits_ && step.time - last_.end >= merging_time_) {
+  if (waits_ && step.time - last_.end >= settings_.merging_time) {
     recordLast();
   }
   std::swap(before_, now_);
@@ -131,7 +107,7 @@ void EventCatalogue::begin(Sample const& now)
 {
   earlier_ = Sample();
   const double onset = crossingTime(now);
-  if (waits_ && onset - last_.end < merging_time_) {
+  if (waits_ && onset - last_.end < settings_.merging_time) {
     waits_ = false; // the event before goes on
     ++num_events_;
     return;
@@ -237,8 +213,9 @@ double EventCatalogue::extent(Coordinate const& coordinate) const
 
 bool EventCatalogue::isSmall(Event const& event) const
 {
-  return event.width < smallest_width_ ||
-         (smallest_magnitude_ > no_magnitude && event.magnitude() < smallest_magnitude_);
+  return event.width < settings_.smallest_width ||
+         (settings_.smallest_magnitude > EventSettings::no_magnitude &&
+          event.magnitude() < settings_.smallest_magnitude);
 }
 
 void EventCatalogue::recordLast()
@@ -321,16 +298,17 @@ std::string EventCatalogue::onThreshold() const
 
 std::vector<double> EventCatalogue::choice() const
 {
-  std::vector<double> numbers{merging_time_, smallest_width_, smallest_magnitude_};
+  std::vector<double> numbers{settings_.merging_time, settings_.smallest_width,
+                              settings_.smallest_magnitude};
   if (!faults_.empty()) { // so that checkpoints of earlier versions are as good
     numbers.push_back(static_cast<double>(faults_.size()));
   }
   return numbers;
 }
 
-void EventCatalogue::save(io::Archive& archive) const
+void EventCatalogue::save(Archive& archive) const
 {
-  io::Archive follower;
+  Archive follower;
   EventFollower::save(follower);
   archive.insert("follower", follower);
   archive.insert("file", file_);
@@ -362,7 +340,7 @@ void EventCatalogue::save(io::Archive& archive) const
   }
 }
 
-void EventCatalogue::restore(io::Archive const& archive)
+void EventCatalogue::restore(Archive const& archive)
 {
   using Numbers = std::vector<double>;
   EventFollower::restore(archive.child("follower"));

@@ -3,6 +3,7 @@
 #include "catalogue/events/Event.hpp"
 #include "catalogue/events/EventEnergies.hpp"
 #include "catalogue/events/EventFollower.hpp"
+#include "catalogue/events/EventSettings.hpp"
 #include "catalogue/fault_geometry/FaultPlane.hpp"
 #include "io/Output.hpp"
 #include "io/files/TextTable.hpp"
@@ -45,10 +46,10 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
   void finish() override;
-  bool endsRun() const override { return mayEndRun() && numComplete() >= most_events_; }
-  bool mayEndRun() const override { return most_events_ > 0; }
-  void save(io::Archive& archive) const override;
-  void restore(io::Archive const& archive) override;
+  bool endsRun() const override { return mayEndRun() && numComplete() >= settings_.most_events; }
+  bool mayEndRun() const override { return settings_.most_events > 0; }
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive) override;
 
   std::optional<std::int64_t> numEvents() const override;
   // A table of the events, their summary, and a sentence if the threshold hides earthquakes.
@@ -65,7 +66,7 @@ protected:
 
 private:
   // Of one boundary of the fault `whole`, if that is not null.
-  EventCatalogue(Teuchos::ParameterList const& parameters, io::OutputContext const& context,
+  EventCatalogue(EventSettings const& settings, io::OutputContext const& context,
                  EventCatalogue const* whole, std::optional<int> boundary, std::string const& file);
 
   // What a sample has besides the rates; set before EventFollower::write.
@@ -86,6 +87,7 @@ private:
   std::vector<double> choice() const;        // what a restart has to find unchanged
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
+  EventSettings settings_;
   EventCatalogue const* whole_;
   std::vector<std::unique_ptr<EventCatalogue>> faults_; // written after this one
   io::OutputField const& slip_;
@@ -93,10 +95,6 @@ private:
   std::optional<FaultPlane> plane_;   // of a surface
   std::vector<double> shear_modulus_; // (num_owned) [Pa]
   io::TextTable file_;
-  double merging_time_;       // [s]
-  double smallest_width_;     // [m]
-  double smallest_magnitude_; // of a surface
-  std::int64_t most_events_;  // with which the run ends; 0 for any number
   std::vector<Event> events_;
   std::int64_t num_events_ = 0; // also those that are parts of others, or small
   std::int64_t num_small_ = 0;  // without a row

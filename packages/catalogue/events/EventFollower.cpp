@@ -65,7 +65,7 @@ double EventFollower::crossingTime(Sample const& now, std::size_t i) const
   return previous_.time + at * (now.time - previous_.time);
 }
 
-void EventFollower::save(io::Archive& archive) const
+void EventFollower::save(Archive& archive) const
 {
   archive.set("threshold", threshold_);
   archive.set("in_progress", in_progress_);
@@ -75,7 +75,7 @@ void EventFollower::save(io::Archive& archive) const
   archive.setAtNodes("previous/rates", previous_.rates, fault_.name);
 }
 
-void EventFollower::restore(io::Archive const& archive)
+void EventFollower::restore(Archive const& archive)
 {
   const double before = archive.getDouble("threshold");
   ASPERITY_REQUIRE(before == threshold_,

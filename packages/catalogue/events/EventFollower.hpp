@@ -17,8 +17,8 @@ class EventFollower : public io::Output
 {
 public:
   void write(io::StepInfo const& step) override;
-  void save(io::Archive& archive) const override;
-  void restore(io::Archive const& archive) override;
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive) override;
 
   bool eventInProgress() const { return in_progress_; }
 

@@ -75,13 +75,13 @@ double Global::moment(std::vector<double> const& values, int components) const
   return sumOverRanks(mine, *fault_.comm);
 }
 
-void Global::save(io::Archive& archive) const
+void Global::save(Archive& archive) const
 {
   archive.insert("rule", rule_);
   archive.insert("file", file_);
 }
 
-void Global::restore(io::Archive const& archive)
+void Global::restore(Archive const& archive)
 {
   rule_.restore(archive.child("rule"));
   file_.restore(archive.child("file"));

@@ -24,8 +24,8 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int) override { file_.flush(); }
   void finish() override {}
-  void save(io::Archive& archive) const override;
-  void restore(io::Archive const& archive) override;
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive) override;
 
 private:
   double moment(std::vector<double> const& values, int components) const;

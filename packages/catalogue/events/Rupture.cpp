@@ -44,9 +44,9 @@ void Rupture::finish()
   }
 }
 
-void Rupture::save(io::Archive& archive) const
+void Rupture::save(Archive& archive) const
 {
-  io::Archive follower;
+  Archive follower;
   EventFollower::save(follower);
   archive.insert("follower", follower);
   archive.insert("table", table_);
@@ -56,7 +56,7 @@ void Rupture::save(io::Archive& archive) const
   archive.setAtNodes("first_time", first_time_, fault().name);
 }
 
-void Rupture::restore(io::Archive const& archive)
+void Rupture::restore(Archive const& archive)
 {
   using Numbers = std::vector<double>;
   EventFollower::restore(archive.child("follower"));

@@ -25,8 +25,8 @@ public:
 
   void closeSegment(int index) override { table_.closeSegment(index); }
   void finish() override;
-  void save(io::Archive& archive) const override;
-  void restore(io::Archive const& archive) override;
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive) override;
 
 protected:
   void begin(Sample const& now) override;

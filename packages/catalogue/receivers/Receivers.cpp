@@ -154,7 +154,7 @@ std::string Receivers::signature() const
   return text;
 }
 
-void Receivers::save(io::Archive& archive) const
+void Receivers::save(Archive& archive) const
 {
   archive.set("signature", signature());
   archive.insert("rule", rule_);
@@ -163,7 +163,7 @@ void Receivers::save(io::Archive& archive) const
   }
 }
 
-void Receivers::restore(io::Archive const& archive)
+void Receivers::restore(Archive const& archive)
 {
   ASPERITY_REQUIRE(archive.get<std::string>("signature") == signature(),
                    "Asperity / Output / Receivers: the checkpoint continues files with other "

@@ -27,8 +27,8 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
   void finish() override {}
-  void save(io::Archive& archive) const override;
-  void restore(io::Archive const& archive) override;
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive) override;
 
 private:
   std::string signature() const;

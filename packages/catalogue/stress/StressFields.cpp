@@ -176,6 +176,14 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
          {}},
         stress, [](ObservedStress<Dim> const& of) { return of.yielded().shear; });
   }
+  for (auto const& [variable, first, width] : body.history) {
+    const std::string name = variable.name;
+    auto field = width > 1
+                   ? tensor(variable.name, variable.unit, variable.meaning)
+                   : io::OutputField{name, variable.unit, variable.meaning, domain.name, 1, {}};
+    add(registry, field, stress,
+        [name](ObservedStress<Dim> const& of) { return of.yielded().history.at(name); });
+  }
   for (auto const& [name, plane] : planes) {
     ASPERITY_REQUIRE(plane.isLoaded(components),
                      "Asperity / Output / Coulomb Planes / "

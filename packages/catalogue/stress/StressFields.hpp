@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/VolumetricPatches.hpp"
+#include "fem/bulk/History.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "fem/stress/CoulombPlane.hpp"
@@ -28,11 +29,12 @@ struct VertexMotions
   std::function<VertexMotion(bool with_velocity)> now, at_start;
 };
 
-// What some cells have yielded, (cells, tensor components) and (cells).
+// What some cells have yielded and remember.
 struct YieldedStrain
 {
-  std::vector<double> strain; // [-]
-  std::vector<double> shear;  // [-], accumulated
+  std::vector<double> strain;                         // (cells, tensor components) [-]
+  std::vector<double> shear;                          // (cells) [-], accumulated
+  std::map<std::string, std::vector<double>> history; // (cells, width) of each internal variable
 };
 
 // Observes local vertices, which may be ghosts; are_few: few of many, as at receivers. Collective.
@@ -52,10 +54,11 @@ struct StressedBody
   ObserveVertices observe;
   // The present one of local cells; empty where no cell of the body may yield. A run starts with 0.
   std::function<YieldedStrain(std::vector<int> const& cells)> yielded;
+  std::vector<fem::HistoryColumns> history; // what it has of internal variables
 };
 
 // Registers `stress`, `strain`, for each plane `coulomb_stress_change_<name>`, and in a body that
-// may yield `inelastic_strain` and `inelastic_shear`, in the elements of a domain, which is
+// may yield `inelastic_strain`, `inelastic_shear` and its internal variables, in the elements of a domain, which is
 // `volume` or `surface`: of the cell, or of the cell below the facet.
 template <int Dim>
 void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& domain,

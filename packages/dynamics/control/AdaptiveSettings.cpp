@@ -4,8 +4,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-constexpr char const* weight_of_waves = "Weight of Waves";
-
 // The level of the largest dyadic step that is not above `size`.
 int levelOf(DyadicTime const& clock, double size)
 {
@@ -17,28 +15,24 @@ int levelOf(DyadicTime const& clock, double size)
 }
 } // namespace
 
-AdaptiveSettings AdaptiveSettings::from(Teuchos::ParameterList const& parameters,
-                                        DyadicTime const& clock, double wave_rate)
+void AdaptiveSettings::setLevels(DyadicTime const& clock, double wave_rate)
 {
-  AdaptiveSettings settings;
-  settings.tolerance = parameters.get<double>("Tolerance");
-  settings.finest_level = clock.finestLevel();
-  const double first = parameters.get<double>("First Step");
-  settings.first_level = first > 0 ? levelOf(clock, first) : clock.finestLevel();
-  if (parameters.isParameter("Norm")) {
-    settings.norm = normOf(parameters);
-  }
-  settings.waves = {wave_rate, parameters.get<double>(weight_of_waves)};
-  return settings;
+  finest_level = clock.finestLevel();
+  first_level = first_step > 0 ? levelOf(clock, first_step) : clock.finestLevel();
+  waves.slip_rate = wave_rate;
 }
 
-Declare& declareWaves(Declare& list)
+Entries<AdaptiveSettings>& addCommonEntries(Entries<AdaptiveSettings>& entries,
+                                            std::string const& meaning_of_first_step)
 {
-  // Chosen: with a tolerance of 1e-5 tests/verification/layer has its onsets to 0.1 %, and with
-  // 1e-3 xml/tpv101_2d.xml needs no largest step.
-  return list.real(weight_of_waves, 0.1, "-", Range::atLeast(0),
-                   "The error of waves in the body counts times this: the largest error of "
-                   "velocity, as a share of the slip rate plus b sigma_n / Z with the shear "
-                   "impedance Z. 0 leaves it out. Newmark has no estimate of it.");
+  return entries
+    .real(
+      "Weight of Waves", [](AdaptiveSettings & settings) -> auto& { return settings.waves.weight; },
+      "-", Range::atLeast(0),
+      "The error of waves in the body counts times this: the largest error of velocity, as a share "
+      "of the slip rate plus b sigma_n / Z with the shear impedance Z. 0 leaves it out. Newmark "
+      "has no estimate of it.")
+    .real("First Step", &AdaptiveSettings::first_step, "s", Range::atLeast(0),
+          meaning_of_first_step);
 }
 } // namespace asperity::dynamics

@@ -95,7 +95,53 @@ std::optional<Warning> GrowthWatch::noteSlowSlip(Step const& step)
       "."};
 }
 
-void GrowthWatch::requireFew() const
+GrowthWatch::GrowthWatch(WatchContext const& context)
+    : GrowthWatch(context.slip_distance,
+                  context.deck.sublist("Time Stepping").get<int>("Most Hiding Steps"),
+                  !context.adapts)
+{
+  tolerance_ = context.tolerance;
+  if (context.fault.stateDecides()) {
+    slow_.emplace(Slow{context.fault, SlowSlip(context.weakening, context.slow_rate)});
+  }
+}
+
+void GrowthWatch::note(WatchedState const& now, Notes& notes)
+{
+  if (now.step && slow_) {
+    auto const& communicator = *slow_->fault.surface().communicator();
+    notes.add(note({now.step->is_forced, now.time, now.step->size, now.step->rate_before,
+                    now.sample.peakSlipRate(),
+                    slow_->slip.of(now.sample.slipRates(), now.step->size, communicator)}));
+  }
+}
+
+void GrowthWatch::save(Archive& archive) const
+{
+  archive.set("least", memory_.least);
+  archive.set("forced", memory_.forced);
+  archive.set("others", memory_.others);
+  archive.set("damped", memory_.damped);
+  archive.set("tolerance", tolerance_);
+}
+
+void GrowthWatch::restore(Archive const& archive, Restart const& restart)
+{
+  memory_ = {};
+  if (!archive.has("forced")) {
+    return;
+  }
+  if (!(tolerance_ < archive.getDouble("tolerance"))) {
+    memory_.others = archive.getInteger("others");
+    memory_.damped = archive.has("damped") ? archive.getInteger("damped") : 0;
+  }
+  if (!restart.has_smaller_steps) {
+    memory_.least = archive.getDouble("least");
+    memory_.forced = archive.getInteger("forced");
+  }
+}
+
+void GrowthWatch::requireUse() const
 {
   for (const bool is_forced : {true, false}) {
     const auto count = is_forced ? memory_.forced : memory_.others;
@@ -113,3 +159,6 @@ void GrowthWatch::requireFew() const
   }
 }
 } // namespace asperity::dynamics
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "growth_watch",
+                  asperity::dynamics::WatchKindOf<asperity::dynamics::GrowthWatch>)

@@ -1,10 +1,7 @@
 #pragma once
 
-#include "base/Warning.hpp"
-
-#include <cstdint>
-#include <optional>
-#include <string>
+#include "dynamics/control/SlowSlip.hpp"
+#include "dynamics/control/Watch.hpp"
 
 namespace asperity::dynamics
 {
@@ -16,7 +13,7 @@ namespace asperity::dynamics
 // - V dt > L in a step that meets the tolerance, which then is too loose.
 // The two kinds are counted apart. So are steps that slip by more than 2 L where friction weakens
 // and slip is slow (SlowSlip), in which a growth that is damped cannot show; they never end a run.
-class GrowthWatch
+class GrowthWatch : public Watch
 {
 public:
   // slip_distance: L [m], the smallest of the fault; 0 if unknown: then growth alone counts in
@@ -29,6 +26,7 @@ public:
       , is_prescribed_(is_prescribed)
   {
   }
+  explicit GrowthWatch(WatchContext const& context);
 
   struct Step
   {
@@ -41,8 +39,16 @@ public:
   };
   // Returns a warning for the 1st, 10th, 100th, ... step that hides growth, and for number `most`.
   std::optional<Warning> note(Step const& step);
+  // Looks at nothing where no state of the fault decides: prescribed slip rates may grow.
+  void note(WatchedState const& now, Notes& notes) override;
   // Throws LostEarthquakes if `most` steps of one kind have hidden growth.
-  void requireFew() const;
+  void requireUse() const override;
+
+  void save(Archive& archive) const override;
+  // Counts go on, so that restarts do not escape the limits. What has been cured is counted anew:
+  // forced steps where the smallest step is smaller than before, others where the tolerance is. The
+  // largest step cannot change, so that levels tell sizes.
+  void restore(Archive const& archive, Restart const& restart) override;
 
   // What a restart goes on from.
   struct Memory
@@ -53,7 +59,6 @@ public:
     std::int64_t damped = 0; // steps that slipped by more than 2 L
   };
   Memory const& memory() const { return memory_; }
-  void restore(Memory const& memory) { memory_ = memory; }
 
 private:
   bool isForced(Step const& step) const { return step.is_forced || is_prescribed_; }
@@ -61,7 +66,15 @@ private:
   std::string describe(Step const& step, std::int64_t count) const;
   std::optional<Warning> noteSlowSlip(Step const& step);
 
+  struct Slow
+  {
+    Fault const& fault;
+    SlowSlip slip;
+  };
+
   double slip_distance_;
+  double tolerance_ = 0; // of the step control; 0 if it has none
+  std::optional<Slow> slow_;
   std::int64_t most_;
   bool is_prescribed_;
   Memory memory_;

@@ -20,6 +20,24 @@ constexpr double safety = 0.8;
 // distance is 1.
 constexpr double near = 0.1;
 
+Entries<AdaptiveSettings> richardsonEntries()
+{
+  AdaptiveSettings defaults;
+  defaults.norm = Norm::maximum;
+  Entries<AdaptiveSettings> result(defaults);
+  result
+    .real("Tolerance", &AdaptiveSettings::tolerance, "-", Range::open(0, 1),
+          "A pair of steps is accepted if its estimated error is at most this: in alpha, and in "
+          "all else on a scale on which it matters as much. The estimate follows from the "
+          "difference to one step of twice the size, and for waves from accelerations.")
+    .choice("Norm", &AdaptiveSettings::norm, normWords(),
+            "Selects the norm in which the error is measured over the fault. A mean dilutes the "
+            "error of a nucleation much smaller than the fault.");
+  return addCommonEntries(
+    result, "The first steps have this size, which is at most half of the largest one; 0 means "
+            "the smallest step.");
+}
+
 AdaptiveSettings settingsOf(Teuchos::ParameterList const& parameters, ControlContext const& context)
 {
   auto const& clock = context.step.clock();
@@ -28,25 +46,15 @@ AdaptiveSettings settingsOf(Teuchos::ParameterList const& parameters, ControlCon
                                               << " s has to be at most half of the largest one: "
                                                  "a pair is compared with one step of twice the "
                                                  "size.");
-  return AdaptiveSettings::from(parameters, clock, context.wave_rate);
+  auto settings = richardsonEntries().read(parameters, context.path);
+  settings.setLevels(clock, context.wave_rate);
+  return settings;
 }
 } // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> RichardsonControl::validParameters()
 {
-  Declare declare;
-  declare.real("Tolerance", 1e-5, "-", Range::open(0, 1),
-               "A pair of steps is accepted if its estimated error is at most this: in alpha, and "
-               "in all else on a scale on which it matters as much. The estimate follows from the "
-               "difference to one step of twice the size, and for waves from accelerations.");
-  declareNorm(declare, Norm::maximum,
-              "Selects the norm in which the error is measured over the fault. A mean dilutes the "
-              "error of a nucleation much smaller than the fault.");
-  return declareWaves(declare)
-    .real("First Step", 0., "s", Range::atLeast(0),
-          "The first steps have this size, which is at most half of the largest one; 0 means the "
-          "smallest step.")
-    .list();
+  return richardsonEntries().list();
 }
 
 std::string RichardsonControl::meaning()
@@ -73,6 +81,38 @@ RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSetti
   memory_.level = std::max(settings.first_level, settings.coarsest_level + 1);
 }
 
+void RichardsonControl::save(Archive& archive, StateArchive const& states) const
+{
+  StepControl::save(archive, states);
+  archive.set("level_before", last_.level);
+  archive.set("error", last_.error);
+  archive.set("previous_error", last_.previous_error);
+  if (last_.before) {
+    states.save(archive, "before", *last_.before);
+  }
+}
+
+void RichardsonControl::restore(Archive const& archive, StateArchive const& states)
+{
+  StepControl::restore(archive, states);
+  last_ = {};
+  if (!archive.has("level_before")) { // another control has written it
+    return;
+  }
+  last_.level = static_cast<int>(archive.getInteger("level_before"));
+  last_.error = archive.getDouble("error");
+  last_.previous_error = archive.getDouble("previous_error");
+  if (archive.has("before/time")) {
+    last_.before = states.load(archive, "before");
+  }
+}
+
+void RichardsonControl::adaptToClock()
+{
+  StepControl::adaptToClock();
+  last_ = {};
+}
+
 AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
 {
   if (trialGoesTooFar(current)) {
@@ -86,8 +126,8 @@ AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
   ++memory_.num_steps;
   if (resume(current)) {
     // Loads may change at an instant: the last pairs do not predict the next one.
-    memory_.before.reset();
-    memory_.error = memory_.previous_error = 0;
+    last_.before.reset();
+    last_.error = last_.previous_error = 0;
   }
   return accepted;
 }
@@ -100,14 +140,14 @@ AcceptedStep RichardsonControl::firstOfPair(State& current, SolveCount& count)
   noteRefinement(first_level);
   AcceptedStep accepted;
   accepted.iterations = pair.first->iterations;
-  memory_.before = std::move(current);
-  memory_.level_before = memory_.level;
-  memory_.previous_error = memory_.error;
-  memory_.error = pair.error;
+  last_.before = std::move(current);
+  last_.level = memory_.level;
+  last_.previous_error = last_.error;
+  last_.error = pair.error;
   current = std::move(pair.first->state);
   memory_.trial = std::move(pair.second);
   accepted.level = memory_.level;
-  accepted.error = memory_.error;
+  accepted.error = last_.error;
   return accepted;
 }
 
@@ -118,8 +158,8 @@ AcceptedStep RichardsonControl::secondOfPair(State& current)
   accepted.iterations = memory_.trial->iterations;
   memory_.trial.reset();
   accepted.level = memory_.level;
-  accepted.error = memory_.error;
-  predictLevel(memory_.error);
+  accepted.error = last_.error;
+  predictLevel(last_.error);
   noteRefinement(accepted.level);
   return accepted;
 }
@@ -131,7 +171,7 @@ AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
   if (!next) {
     giveUp(current, memory_.level);
   }
-  memory_.before.reset();
+  last_.before.reset();
   current = std::move(next->state);
   AcceptedStep accepted;
   accepted.level = memory_.level;
@@ -141,11 +181,11 @@ AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
 
 Guess RichardsonControl::straightOn(State const& current, double steps) const
 {
-  if (!memory_.before) {
+  if (!last_.before) {
     return straightFrom(current);
   }
-  const double ratio = steps / 2 * std::ldexp(1., memory_.level_before - memory_.level);
-  return {1 + ratio, current, *memory_.before};
+  const double ratio = steps / 2 * std::ldexp(1., last_.level - memory_.level);
+  return {1 + ratio, current, *last_.before};
 }
 
 std::optional<State> RichardsonControl::wholeStep(State const& current, SolveCount& count)
@@ -199,7 +239,7 @@ RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, 
     }
     // The first step of the pair is the whole step of the next smaller one.
     ++memory_.level;
-    memory_.error /= error_ratio_;
+    last_.error /= error_ratio_;
     whole = pair.first ? std::optional<State>(std::move(pair.first->state)) : std::nullopt;
   }
 }
@@ -207,15 +247,15 @@ RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, 
 void RichardsonControl::predictLevel(double error)
 {
   const double trend =
-    memory_.previous_error > 0 ? std::clamp(error / memory_.previous_error, 0.5, 4.) : 1;
+    last_.previous_error > 0 ? std::clamp(error / last_.previous_error, 0.5, 4.) : 1;
   const double expected = error * trend;
   if (expected > settings_.tolerance && memory_.level < settings_.finest_level) {
     ++memory_.level;
-    memory_.error /= error_ratio_;
+    last_.error /= error_ratio_;
   } else if (expected * error_ratio_ <= safety * settings_.tolerance &&
              memory_.level > settings_.coarsest_level + 1) {
     --memory_.level;
-    memory_.error *= error_ratio_;
+    last_.error *= error_ratio_;
   }
 }
 

@@ -30,6 +30,20 @@ public:
   // `order` of the scheme, p.
   RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings);
   AcceptedStep advance(State& current, SolveCount& count) override;
+  void save(Archive& archive, StateArchive const& states) const override;
+  void restore(Archive const& archive, StateArchive const& states) override;
+  void adaptToClock() override;
+
+  // What it remembers beside the memory of every control: the state in which the last pair of steps
+  // began, and its level; the error of that pair, and of the pair before, scaled to steps of the
+  // same size (0: unknown).
+  struct LastPair
+  {
+    std::optional<State> before;
+    int level = 0;
+    double error = 0, previous_error = 0;
+  };
+  LastPair const& lastPair() const { return last_; }
 
 private:
   struct Pair
@@ -52,6 +66,7 @@ private:
   // Takes the last tick before an instant, into which no pair fits.
   AcceptedStep singleStep(State& current, SolveCount& count);
 
+  LastPair last_;
   AdaptiveSettings settings_;
   double extrapolation_; // 2^p - 1
   double error_ratio_;   // 2^(p+1), from one level to the next

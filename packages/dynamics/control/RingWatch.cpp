@@ -14,6 +14,13 @@ namespace
 constexpr double turn = 1.5;
 } // namespace
 
+void RingWatch::note(WatchedState const& now, Notes& notes)
+{
+  if (now.step && fault_ != nullptr && fault_->stateDecides()) {
+    notes.add(note(now.time, now.sample.peakSlipRate()));
+  }
+}
+
 std::optional<Warning> RingWatch::note(double time, double rate)
 {
   const bool is_first = rate_ < 0;
@@ -33,3 +40,6 @@ std::optional<Warning> RingWatch::note(double time, double rate)
                    "= Generalised Alpha, which damps this, or a much smaller 'Tolerance'."};
 }
 } // namespace asperity::dynamics
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "ring_watch",
+                  asperity::dynamics::WatchKindOf<asperity::dynamics::RingWatch>)

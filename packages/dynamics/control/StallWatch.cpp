@@ -23,26 +23,58 @@ constexpr char const* advice = "Try a smaller 'Smallest Step', a looser toleranc
                                "the slip rates, lengths and stresses of the friction law.";
 } // namespace
 
-std::string StallWatch::note(Step const& step)
+StallWatch::StallWatch(WatchContext const& context)
+    : StallWatch(context.deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
 {
-  auto& [smallest, forced] = memory_;
-  smallest = step.is_smallest ? smallest + 1 : 0;
-  forced = step.is_forced ? forced + 1 : 0;
+}
+
+void StallWatch::note(WatchedState const& now, Notes& notes)
+{
+  if (auto const& step = now.step) {
+    note({step->is_smallest, step->is_forced, now.time, step->size, step->time_left}, notes);
+  }
+}
+
+void StallWatch::note(Step const& step, Notes& notes)
+{
+  last_ = step;
+  smallest_ = step.is_smallest ? smallest_ + 1 : 0;
+  forced_ = step.is_forced ? forced_ + 1 : 0;
   const std::string size = formatShort(step.step_size) + " s";
-  if (most_forced_ > 0 && forced >= most_forced_) {
-    throw SolveError("At t = " + formatShort(step.time) + " s the last " + std::to_string(forced) +
-                     " steps, of the smallest size " + size + ", did not meet the tolerance. " +
-                     advice + " 'Time Stepping / Most Forced Steps' is the limit.");
+  if (isWorthALine(forced_)) {
+    notes.add(Warning{"forced steps", "The last " + std::to_string(forced_) +
+                                        " steps, of the smallest size " + size +
+                                        ", did not meet the tolerance. " + advice});
+  } else if (forced_ == 0 && isWorthALine(smallest_)) {
+    notes.lines.push_back("The last " + std::to_string(smallest_) +
+                          " steps had the smallest size, " + size + "; the end of the run is " +
+                          formatShort(step.time_left / step.step_size) + " such steps away.");
   }
-  if (isWorthALine(forced)) {
-    return "Warning: the last " + std::to_string(forced) + " steps, of the smallest size " + size +
-           ", did not meet the tolerance. " + advice;
+}
+
+void StallWatch::requireUse() const
+{
+  if (last_ && most_forced_ > 0 && forced_ >= most_forced_) {
+    throw SolveError("At t = " + formatShort(last_->time) + " s the last " +
+                     std::to_string(forced_) + " steps, of the smallest size " +
+                     formatShort(last_->step_size) + " s, did not meet the tolerance. " + advice +
+                     " 'Time Stepping / Most Forced Steps' is the limit.");
   }
-  if (forced == 0 && isWorthALine(smallest)) {
-    return "The last " + std::to_string(smallest) + " steps had the smallest size, " + size +
-           "; the end of the run is " + formatShort(step.time_left / step.step_size) +
-           " such steps away.";
-  }
-  return "";
+}
+
+void StallWatch::save(Archive& archive) const
+{
+  archive.set("smallest", smallest_);
+  archive.set("forced", forced_);
+}
+
+void StallWatch::restore(Archive const& archive, Restart const& restart)
+{
+  const bool goes_on = archive.has("forced") && !restart.has_smaller_steps;
+  smallest_ = goes_on ? archive.getInteger("smallest") : 0;
+  forced_ = goes_on ? archive.getInteger("forced") : 0;
 }
 } // namespace asperity::dynamics
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "stall_watch",
+                  asperity::dynamics::WatchKindOf<asperity::dynamics::StallWatch>)

@@ -1,17 +1,19 @@
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include "dynamics/control/Watch.hpp"
 
 namespace asperity::dynamics
 {
-// Reports that a run hardly advances, because all its steps have the smallest size.
-class StallWatch
+// Notes that a run hardly advances, because all its steps have the smallest size: a line of the log
+// for the 100th, 1000th, ... step in a row, and a warning if these steps do not meet the tolerance.
+class StallWatch : public Watch
 {
 public:
   // most_forced: the number of forced steps in a row at which the run ends; 0 means no limit.
   explicit StallWatch(std::int64_t most_forced) : most_forced_(most_forced) {}
+  explicit StallWatch(WatchContext const& context);
 
+  void note(WatchedState const& now, Notes& notes) override;
   struct Step
   {
     bool is_smallest = false;
@@ -20,19 +22,17 @@ public:
     double step_size = 0;   // [s]
     double time_left = 0;   // to the end of the run [s]
   };
-  // A sentence for the log, or "" for most steps. Throws SolveError at the limit most_forced.
-  std::string note(Step const& step);
+  void note(Step const& step, Notes& notes);
+  // Throws SolveError at the limit most_forced.
+  void requireUse() const override;
 
-  // What a restart goes on from: steps in a row.
-  struct Memory
-  {
-    std::int64_t smallest = 0, forced = 0;
-  };
-  Memory const& memory() const { return memory_; }
-  void restore(Memory const& memory) { memory_ = memory; }
+  void save(Archive& archive) const override;
+  // Counts go on, unless the smallest step is smaller than before.
+  void restore(Archive const& archive, Restart const& restart) override;
 
 private:
   std::int64_t most_forced_;
-  Memory memory_;
+  std::int64_t smallest_ = 0, forced_ = 0; // steps in a row
+  std::optional<Step> last_;               // none since the start or restart
 };
 } // namespace asperity::dynamics

@@ -209,7 +209,34 @@ void StepControl::adaptToClock()
   memory_.level = std::min(memory_.level, finest);
   memory_.level_after = std::min(memory_.level_after, finest);
   memory_.trial.reset();
-  memory_.before.reset();
-  memory_.error = memory_.previous_error = 0;
+}
+
+void StepControl::save(Archive& archive, StateArchive const& states) const
+{
+  archive.set("level", memory_.level);
+  archive.set("level_after", memory_.level_after);
+  archive.set("num_steps", memory_.num_steps);
+  archive.set("largest_displacement", memory_.largest_displacement);
+  archive.set("largest_velocity", memory_.largest_velocity);
+  if (memory_.trial) {
+    archive.set("trial/iterations", memory_.trial->iterations);
+    states.save(archive, "trial/state", memory_.trial->state);
+  }
+}
+
+void StepControl::restore(Archive const& archive, StateArchive const& states)
+{
+  memory_.level = static_cast<int>(archive.getInteger("level"));
+  memory_.level_after = static_cast<int>(archive.getInteger("level_after"));
+  memory_.num_steps = archive.getInteger("num_steps");
+  if (archive.has("largest_displacement")) { // earlier versions have neither
+    memory_.largest_displacement = archive.getDouble("largest_displacement");
+    memory_.largest_velocity = archive.getDouble("largest_velocity");
+  }
+  memory_.trial.reset();
+  if (archive.has("trial/iterations")) {
+    memory_.trial = Trial{states.load(archive, "trial/state"),
+                          static_cast<int>(archive.getInteger("trial/iterations"))};
+  }
 }
 } // namespace asperity::dynamics

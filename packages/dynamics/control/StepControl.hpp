@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/StateArchive.hpp"
 #include "dynamics/control/NotFinite.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
@@ -46,17 +47,12 @@ struct AcceptedStep
   bool within_tolerance = true; // false: even the smallest step did not meet it
 };
 
-// What a control remembers from one step to the next; a checkpoint has to keep all of it.
+// What every control remembers from one step to the next.
 struct ControlMemory
 {
   int level = 0;
   std::int64_t num_steps = 0;
   std::optional<Trial> trial; // the next step, already solved
-  // For RichardsonControl: the state in which the last pair of steps began, and its level; the
-  // error of that pair, and of the pair before, scaled to steps of the same size (0: unknown).
-  std::optional<State> before;
-  int level_before = 0;
-  double error = 0, previous_error = 0;
   // The level to go on with after the instant ahead, if steps are cut short to meet it, or `none`.
   static constexpr int none = -1;
   int level_after = none;
@@ -94,10 +90,12 @@ public:
   virtual bool adapts() const { return true; }
 
   ControlMemory const& memory() const { return memory_; }
-  void restore(ControlMemory memory) { memory_ = std::move(memory); }
+  // What a restart goes on from. A control that remembers more extends these three functions.
+  virtual void save(Archive& archive, StateArchive const& states) const;
+  virtual void restore(Archive const& archive, StateArchive const& states);
   // Adapts the memory restored from a run with another smallest step: forgets trials and errors,
   // and raises step sizes that are too small now.
-  void adaptToClock();
+  virtual void adaptToClock();
 
 protected:
   // Tries a step of the given level, from a guess of its end. Empty if the step is not solved.

@@ -1,22 +1,33 @@
 #include "dynamics/control/StepDoubling.hpp"
 
-#include "parameters/Parameters.hpp"
-
 #include <algorithm>
 
 namespace asperity::dynamics
 {
-Teuchos::RCP<const Teuchos::ParameterList> StepDoubling::validParameters()
+namespace
 {
-  Declare declare;
-  declare.real(
-    "Tolerance", 1e-5, "-", Range::open(0, 1),
+Entries<AdaptiveSettings> doublingEntries()
+{
+  Entries<AdaptiveSettings> result;
+  result.real(
+    "Tolerance", &AdaptiveSettings::tolerance, "-", Range::open(0, 1),
     "A step is accepted if alpha, and all else on a scale on which it matters as much, differs by "
     "at most this between one step and two of half its size, as root mean square over the fault.");
-  return declareWaves(declare)
-    .real("First Step", 0., "s", Range::atLeast(0),
-          "The first trial step has this size; 0 means the smallest step.")
-    .list();
+  return addCommonEntries(result, "The first trial step has this size; 0 means the smallest step.");
+}
+
+AdaptiveSettings doublingSettings(Teuchos::ParameterList const& parameters,
+                                  ControlContext const& context)
+{
+  auto settings = doublingEntries().read(parameters, context.path);
+  settings.setLevels(context.step.clock(), context.wave_rate);
+  return settings;
+}
+} // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> StepDoubling::validParameters()
+{
+  return doublingEntries().list();
 }
 
 std::string StepDoubling::meaning()
@@ -25,8 +36,7 @@ std::string StepDoubling::meaning()
 }
 
 StepDoubling::StepDoubling(Teuchos::ParameterList const& parameters, ControlContext const& context)
-    : StepDoubling(context.step,
-                   AdaptiveSettings::from(parameters, context.step.clock(), context.wave_rate))
+    : StepDoubling(context.step, doublingSettings(parameters, context))
 {
 }
 

@@ -1,5 +1,7 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 
+#include "parameters/Entries.hpp"
+
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -30,46 +32,46 @@ void meanVelocity(ConstBlockView const& offset, double weight, BlockView const& 
       }
     });
 }
-} // namespace
 
-Teuchos::RCP<Teuchos::ParameterList> CouplingSettings::validParameters()
+Entries<CouplingSettings> couplingEntries()
 {
-  const CouplingSettings defaults;
-  Declare declare;
-  declare.real("Tolerance", 0., "-", Range::closedOpen(0, 1),
-               "The fixed-point iteration of rate and state ends when alpha changes by at most "
-               "this between two iterates, in the norm chosen. 0 means a thousandth of the "
-               "Tolerance of the step control, but at most 1e-5, which also holds for prescribed "
-               "steps.");
-  declareNorm(declare, defaults.norm,
-              "Selects how that change is measured over the fault. Maximum also responds to a "
-              "nucleation much smaller than the fault, which has little weight in a mean.");
-  return declare
-    .integer("Maximum Iterations", defaults.max_iterations, Range::atLeast(1),
+  CouplingSettings defaults;
+  defaults.tolerance = 0; // follows from the step control
+  return Entries<CouplingSettings>(defaults)
+    .real("Tolerance", &CouplingSettings::tolerance, "-", Range::closedOpen(0, 1),
+          "The fixed-point iteration of rate and state ends when alpha changes by at most this "
+          "between two iterates, in the norm chosen. 0 means a thousandth of the Tolerance of the "
+          "step control, but at most 1e-5, which also holds for prescribed steps.")
+    .choice("Norm", &CouplingSettings::norm, normWords(),
+            "Selects how that change is measured over the fault. Maximum also responds to a "
+            "nucleation much smaller than the fault, which has little weight in a mean.")
+    .integer("Maximum Iterations", &CouplingSettings::max_iterations, Range::atLeast(1),
              "A step is rejected after this number of fixed-point iterations. The step control "
              "then halves it; a run with prescribed steps ends.")
-    .integer("Anderson Depth", defaults.anderson_depth, Range::atLeast(0),
+    .integer("Anderson Depth", &CouplingSettings::anderson_depth, Range::atLeast(0),
              "Anderson acceleration extrapolates the next iterate from this number of earlier "
-             "ones; 0 means the plain fixed-point iteration.")
-    .list();
+             "ones; 0 means the plain fixed-point iteration.");
+}
+} // namespace
+
+Teuchos::RCP<const Teuchos::ParameterList> CouplingSettings::validParameters()
+{
+  return couplingEntries().list();
 }
 
 CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters,
                                         double step_tolerance)
 {
   constexpr double share_of_steps = 1e-3;
-  CouplingSettings settings;
-  if (const double given = parameters.get<double>("Tolerance"); given > 0) {
-    settings.tolerance = given;
-  } else if (step_tolerance > 0) {
-    settings.tolerance = std::min(settings.tolerance, share_of_steps * step_tolerance);
+  auto settings = couplingEntries().read(parameters, "Asperity / Coupling");
+  if (settings.tolerance == 0) {
+    settings.tolerance = CouplingSettings().tolerance;
+    if (step_tolerance > 0) {
+      settings.tolerance = std::min(settings.tolerance, share_of_steps * step_tolerance);
+    }
   }
-  settings.norm = normOf(parameters);
-  settings.max_iterations = parameters.get<int>("Maximum Iterations");
-  settings.anderson_depth = parameters.get<int>("Anderson Depth");
   return settings;
 }
-
 void SolveCount::add(tnnmg::TnnmgResult const& result)
 {
   tnnmg_iterations += result.iterations;

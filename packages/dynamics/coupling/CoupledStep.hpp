@@ -20,7 +20,7 @@ struct CouplingSettings
   int max_iterations = 100;
   int anderson_depth = 2;
 
-  static Teuchos::RCP<Teuchos::ParameterList> validParameters();
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   // step_tolerance: of the step control, from which the default follows; 0 if it has none.
   static CouplingSettings from(Teuchos::ParameterList const& parameters, double step_tolerance);
 };

@@ -58,5 +58,6 @@ void InelasticUpdate::copyImage(State& to) const
 {
   Kokkos::deep_copy(to.inelastic->strain, image_.strain);
   Kokkos::deep_copy(to.inelastic->shear, image_.shear);
+  Kokkos::deep_copy(to.inelastic->history, image_.history);
 }
 } // namespace asperity::dynamics

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "parameters/Parameters.hpp"
-
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity::dynamics
 {
@@ -13,7 +13,6 @@ enum class Norm
   maximum
 };
 
-// The parameter `Norm` of a list with its default; `meaning` says what it measures.
-Declare& declareNorm(Declare& list, Norm usual, std::string const& meaning);
-Norm normOf(ParameterList const& parameters);
+// What decks call them, for Entries::choice.
+std::vector<std::pair<std::string, Norm>> normWords();
 } // namespace asperity::dynamics

@@ -15,18 +15,27 @@ namespace
 struct Burgers
 {
   static constexpr char const* name = "Burgers";
-  static constexpr Parameter parameters[] = {
-    {"Viscosity", "Pa s", no_default, 0, infinity, false, false,
-     "The rock flows with this viscosity in the long term (that of the Maxwell element)."},
-    {"Transient Viscosity", "Pa s", no_default, 0, infinity, false, false,
-     "This viscosity delays the transient part of the strain (that of the Kelvin element)."},
-    {"Transient Shear Modulus", "Pa", no_default, 0, infinity, false, false,
-     "This modulus bounds the transient part of the strain (that of the Kelvin element)."}};
 
-  static std::vector<RelaxingShare> relaxation(double const* values, Material const& material)
+  double viscosity;               // eta [Pa s]
+  double transient_viscosity;     // eta2 [Pa s]
+  double transient_shear_modulus; // G2 [Pa]
+
+  static constexpr ParameterOf<Burgers> parameters[] = {
+    {&Burgers::viscosity,
+     {"Viscosity", "Pa s", no_default, 0, infinity, false, false,
+      "The rock flows with this viscosity in the long term (that of the Maxwell element)."}},
+    {&Burgers::transient_viscosity,
+     {"Transient Viscosity", "Pa s", no_default, 0, infinity, false, false,
+      "This viscosity delays the transient part of the strain (that of the Kelvin element)."}},
+    {&Burgers::transient_shear_modulus,
+     {"Transient Shear Modulus", "Pa", no_default, 0, infinity, false, false,
+      "This modulus bounds the transient part of the strain (that of the Kelvin element)."}}};
+
+  std::vector<RelaxingShare> relaxation(Material const& material) const
   {
     const double G = material.shear_modulus;
-    const double a = G / values[0], b = values[2] / values[1], c = G / values[1];
+    const double a = G / viscosity, b = transient_shear_modulus / transient_viscosity,
+                 c = G / transient_viscosity;
     // r2 - r1, not below |a - b + c|
     const double between = std::hypot(a - b + c, 2 * std::sqrt(b * c));
     const double fast = (a + b + c + between) / 2;

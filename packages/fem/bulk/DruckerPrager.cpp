@@ -1,10 +1,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "fem/bulk/BulkLaw.hpp"
-#include "fem/bulk/Viscosity.hpp"
 #include "fem/bulk/Yield.hpp"
-
-#include <cmath>
 
 namespace asperity::fem
 {
@@ -16,51 +13,57 @@ namespace
 // stress across the plane is the mean of the other two.
 // With a dilation angle psi the volume grows by sin(psi) for each unit of inelastic shear strain,
 // and by more at the apex of the cone, where rock opens. psi = phi is associated flow.
-struct DruckerPrager
+struct DruckerPrager : Yield
 {
   static constexpr char const* name = "Drucker-Prager";
-  static constexpr Parameter parameters[] = {
-    {"Cohesion", "Pa", no_default, 0, infinity, true, false,
-     "The rock has this cohesion: its shear strength without pressure is cohesion times the cosine "
-     "of the friction angle."},
-    {"Friction Angle", "deg", no_default, 0, 90, true, false,
-     "The shear strength of the rock grows with pressure by the sine of this angle of internal "
-     "friction."},
-    hardening,
-    yield_relaxation,
-    residual_share,
-    softening_shear,
-    {"Dilation Angle", "deg", 0, 0, 90, true, false,
-     "The volume of rock that yields grows by the sine of this angle for each unit of inelastic "
-     "shear strain, and it opens where tension exceeds what the cone bears. With the friction "
-     "angle the flow is associated; it cannot be larger. It has no effect in antiplane models."},
-    shear_viscosity,
-    bulk_viscosity};
 
-  // Replaces the cohesion by c cos(phi) and the angles by their sines.
-  static void complete(double* values, Material& material)
+  double cohesion;       // c [Pa]
+  double friction_angle; // phi [degrees]
+  double dilation_angle; // psi [degrees]
+  double sin_phi, sin_psi;
+  double strength_without_pressure; // c cos(phi) [Pa]
+
+  static constexpr ParameterOf<DruckerPrager> parameters[] = {
+    {&DruckerPrager::cohesion,
+     {"Cohesion", "Pa", no_default, 0, infinity, true, false,
+      "The rock has this cohesion: its shear strength without pressure is cohesion times the "
+      "cosine of the friction angle."}},
+    {&DruckerPrager::friction_angle,
+     {"Friction Angle", "deg", no_default, 0, 90, true, false,
+      "The shear strength of the rock grows with pressure by the sine of this angle of internal "
+      "friction."}},
+    {&DruckerPrager::hardening, parameter::hardening},
+    {&DruckerPrager::relaxation_time, parameter::yield_relaxation},
+    {&DruckerPrager::residual_share, parameter::residual_share},
+    {&DruckerPrager::softening_shear, parameter::softening_shear},
+    {&DruckerPrager::dilation_angle,
+     {"Dilation Angle", "deg", 0, 0, 90, true, false,
+      "The volume of rock that yields grows by the sine of this angle for each unit of inelastic "
+      "shear strain, and it opens where tension exceeds what the cone bears. With the friction "
+      "angle the flow is associated; it cannot be larger. It has no effect in antiplane models."}},
+    {&DruckerPrager::shear_viscosity, parameter::shear_viscosity},
+    {&DruckerPrager::bulk_viscosity, parameter::bulk_viscosity}};
+
+  KOKKOS_FUNCTION void prepare()
   {
-    ASPERITY_REQUIRE(values[6] <= values[1],
-                     "Asperity / Bulk / Dilation Angle = "
-                       << formatShort(values[6])
-                       << " degrees is larger than Friction Angle = " << formatShort(values[1])
-                       << " degrees: rock that yields would gain energy.");
-    setViscosity(values[7], values[8], material);
     constexpr double degree = 3.14159265358979323846 / 180;
-    values[0] *= std::cos(values[1] * degree);
-    values[1] = std::sin(values[1] * degree);
-    values[6] = std::sin(values[6] * degree);
+    sin_phi = math::sin(friction_angle * degree);
+    sin_psi = math::sin(dilation_angle * degree);
+    strength_without_pressure = cohesion * math::cos(friction_angle * degree);
   }
 
-  KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
+  void complete(Material& material) const
   {
-    return returned(values, trial).shear;
+    ASPERITY_REQUIRE(dilation_angle <= friction_angle,
+                     "Asperity / Bulk / Dilation Angle = "
+                       << formatShort(dilation_angle)
+                       << " degrees is larger than Friction Angle = " << formatShort(friction_angle)
+                       << " degrees: rock that yields would gain energy.");
+    Viscosity::complete(material);
   }
 
-  KOKKOS_FUNCTION static double meanStress(double const* values, Trial const& trial)
-  {
-    return returned(values, trial).mean;
-  }
+  KOKKOS_FUNCTION double shearStress(Trial const& trial) const { return returned(trial).shear; }
+  KOKKOS_FUNCTION double meanStress(Trial const& trial) const { return returned(trial).mean; }
 
 private:
   struct Stress
@@ -68,13 +71,13 @@ private:
     double shear, mean; // [Pa]
   };
 
-  KOKKOS_FUNCTION static Stress returned(double const* values, Trial const& trial)
+  KOKKOS_FUNCTION Stress returned(Trial const& trial) const
   {
-    const double sin_phi = values[1], sin_psi = values[6], H = values[2], time = values[3];
-    const double without_stress = values[0] * softened(values[4], values[5], trial);
+    const double H = hardening;
+    const double without_stress = strength_without_pressure * softened(trial);
     const double strength = without_stress - trial.mean_stress * sin_phi;
     if (sin_psi == 0) {
-      return {yielded(strength, H, time, trial), trial.mean_stress};
+      return {yielded(strength, trial), trial.mean_stress};
     }
     const double over = trial.shear_stress - strength - H * trial.shear;
     if (over <= 0) {
@@ -87,9 +90,9 @@ private:
       const double gamma = trial.shear + trial.shear_stress / G;
       at_last = {0, (without_stress + H * gamma) / sin_phi};
     }
-    const double kept = time > 0 ? math::exp(-trial.step / time) : 0;
-    return {at_last.shear + kept * (trial.shear_stress - at_last.shear),
-            at_last.mean + kept * (trial.mean_stress - at_last.mean)};
+    const double left = leftOver(trial);
+    return {at_last.shear + left * (trial.shear_stress - at_last.shear),
+            at_last.mean + left * (trial.mean_stress - at_last.mean)};
   }
 };
 } // namespace

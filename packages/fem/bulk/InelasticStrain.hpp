@@ -11,7 +11,8 @@ using ConstTensorView = Kokkos::View<const double**, Kokkos::LayoutRight, Memory
 // The inelastic strain of a state, a row for each of a body's InelasticCells.
 struct InelasticStrain
 {
-  TensorView strain; // (num_cells, tensor components); deviatoric but where rock dilates
-  TensorView shear;  // (num_cells, 1), accumulated
+  TensorView strain;  // (num_cells, tensor components); deviatoric but where rock dilates
+  TensorView shear;   // (num_cells, 1), accumulated
+  TensorView history; // (num_cells, columns), what laws remember besides (bulk/History.hpp)
 };
 } // namespace asperity::fem

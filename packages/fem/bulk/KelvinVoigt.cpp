@@ -7,15 +7,12 @@ namespace
 {
 // A spring and a dashpot side by side (Pipping 2014); elastic where both viscosities
 // are zero.
-struct KelvinVoigt
+struct KelvinVoigt : Viscosity
 {
   static constexpr char const* name = "Kelvin-Voigt";
-  static constexpr Parameter parameters[] = {shear_viscosity, bulk_viscosity};
-
-  static void complete(double const* values, Material& material)
-  {
-    setViscosity(values[0], values[1], material);
-  }
+  static constexpr ParameterOf<Viscosity> parameters[] = {
+    {&Viscosity::shear_viscosity, parameter::shear_viscosity},
+    {&Viscosity::bulk_viscosity, parameter::bulk_viscosity}};
 };
 } // namespace
 } // namespace asperity::fem

@@ -9,15 +9,18 @@ namespace
 struct Maxwell
 {
   static constexpr char const* name = "Maxwell";
-  static constexpr Parameter parameters[] = {{"Viscosity", "Pa s", no_default, 0, infinity, false,
-                                              false,
-                                              "The rock flows with this viscosity. Its stress "
-                                              "falls to 1/e in the relaxation time, viscosity "
-                                              "over shear modulus, at constant strain."}};
 
-  static std::vector<RelaxingShare> relaxation(double const* values, Material const& material)
+  double viscosity; // eta [Pa s]
+
+  static constexpr ParameterOf<Maxwell> parameters[] = {
+    {&Maxwell::viscosity,
+     {"Viscosity", "Pa s", no_default, 0, infinity, false, false,
+      "The rock flows with this viscosity. Its stress falls to 1/e in the relaxation time, "
+      "viscosity over shear modulus, at constant strain."}}};
+
+  std::vector<RelaxingShare> relaxation(Material const& material) const
   {
-    return {{1, values[0] / material.shear_modulus}};
+    return {{1, viscosity / material.shear_modulus}};
   }
 };
 } // namespace

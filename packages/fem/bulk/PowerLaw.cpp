@@ -12,17 +12,24 @@ namespace
 struct PowerLaw
 {
   static constexpr char const* name = "Power Law";
-  static constexpr Parameter parameters[] = {
-    {"Prefactor", "1/(Pa^n s)", no_default, 0, infinity, true, false,
-     "This is A in the rate A t^(n - 1) s of inelastic strain, with the deviatoric stress s and "
-     "t = sqrt(s : s / 2). If rate = B stress^n was measured under axial load, A = 3^((n + 1) / 2) "
-     "B / 2. Where it is 0, the rock is elastic."},
-    {"Stress Exponent", "-", no_default, 1, infinity, true, false,
-     "This is n in that rate. With 1 the viscosity is 1 / (2 A), with more it falls with stress."}};
 
-  KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
+  double prefactor; // A [1/(Pa^n s)]
+  double exponent;  // n [-]
+
+  static constexpr ParameterOf<PowerLaw> parameters[] = {
+    {&PowerLaw::prefactor,
+     {"Prefactor", "1/(Pa^n s)", no_default, 0, infinity, true, false,
+      "This is A in the rate A t^(n - 1) s of inelastic strain, with the deviatoric stress s and "
+      "t = sqrt(s : s / 2). If rate = B stress^n was measured under axial load, A = 3^((n + 1) / "
+      "2) B / 2. Where it is 0, the rock is elastic."}},
+    {&PowerLaw::exponent,
+     {"Stress Exponent", "-", no_default, 1, infinity, true, false,
+      "This is n in that rate. With 1 the viscosity is 1 / (2 A), with more it falls with "
+      "stress."}}};
+
+  KOKKOS_FUNCTION double shearStress(Trial const& trial) const
   {
-    const double A = values[0], n = values[1], t = trial.shear_stress;
+    const double A = prefactor, n = exponent, t = trial.shear_stress;
     const bool at_start = !(trial.step < infinity); // the rock bears any stress, and then flows
     if (at_start || A == 0 || t == 0) {
       return t;

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "base/Views.hpp"
+#include "fem/bulk/History.hpp"
 #include "fem/bulk/InelasticStrain.hpp"
 #include "fem/bulk/TensorKernels.hpp"
+#include "portability/LawParameters.hpp"
 #include "portability/Renamed.hpp"
 
+#include <cstddef>
 #include <type_traits>
 
 // How rock yields within a step. Let s be the deviatoric stress of a cell at the end of the step if
@@ -27,12 +30,10 @@ struct Trial
   double step;          // its length [s]; infinity: t1 is what the rock bears at the start
 };
 
-// The cells of one law in a step; all views but `cells` and `parameters` are of all cells that may
-// yield.
+// The cells of one law in a step; all views but `cells` are of all cells that may yield.
 struct YieldingCells
 {
-  IndexView cells;            // (num of the law) among those that may yield
-  ConstTensorView parameters; // (num of the law, parameters)
+  IndexView cells; // (num of the law) among those that may yield
 
   ConstNodeView shear_modulus, bulk_modulus; // [Pa]; bulk_modulus is 0 antiplane
   ConstTensorView initial_stress;            // [Pa], of which the deviatoric part counts
@@ -40,23 +41,36 @@ struct YieldingCells
   ConstTensorView strain;                    // at the end of the step
   ConstTensorView inelastic_before;
   ConstTensorView shear_before; // (num_cells, 1)
-  double step;                  // [s]
+  ConstTensorView history_before;
+  int column;  // of the law's history, the first one
+  double step; // [s]
 
   TensorView inelastic;  // e1
   TensorView shear;      // gamma1 (num_cells, 1)
+  TensorView history;    // at the end
   NodeView shear_stress; // t [Pa]
 };
+
+// sqrt(s : s / 2) of a symmetric tensor.
+KOKKOS_INLINE_FUNCTION double shearOf(double const* s, int size)
+{
+  double square = 0;
+  for (int k = 0; k < size; ++k) {
+    square += multiplicity(size, k) * s[k] * s[k] / 2;
+  }
+  return math::sqrt(square);
+}
 
 // The trial stress of a cell.
 struct TrialStress
 {
-  static constexpr int most = 6;
-  double deviator[most] = {};
+  int size = 0; // num of components
+  double deviator[most_tensor_components] = {};
   double mean = 0, shear_stress = 0;
 
   KOKKOS_INLINE_FUNCTION TrialStress(YieldingCells const& of, int cell)
+      : size(of.strain.extent_int(1))
   {
-    const int size = of.strain.extent_int(1);
     double trace = 0;
     mean = of.initial_mean(cell);
     for (int k = 0; k < size; ++k) {
@@ -65,13 +79,27 @@ struct TrialStress
       trace += isOnDiagonal(size, k) ? deviator[k] : 0;
       mean += isOnDiagonal(size, k) ? of.bulk_modulus(cell) * elastic : 0;
     }
-    double square = 0;
     for (int k = 0; k < size; ++k) {
       deviator[k] -= isOnDiagonal(size, k) ? trace / 3 : 0;
-      square += multiplicity(size, k) * deviator[k] * deviator[k] / 2;
     }
-    shear_stress = math::sqrt(square);
+    shear_stress = shearOf(deviator, size);
   }
+};
+
+// What rock with a history of its own does in a step.
+struct InelasticChange
+{
+  double strain[most_tensor_components] = {}; // e1 - e0
+  double shear = 0;                           // gamma1 - gamma0
+};
+
+// One row of a table on the device.
+struct TensorRow
+{
+  ConstTensorView values;
+  int row;
+
+  KOKKOS_INLINE_FUNCTION double operator()(std::size_t column) const { return values(row, column); }
 };
 
 template <class Law, class = void>
@@ -83,10 +111,25 @@ struct Dilates<Law, std::void_t<decltype(&Law::meanStress)>> : std::true_type
 {
 };
 
-// Law::shearStress(parameters, Trial) is t1, and Law::meanStress, where there is one, p1.
+// The law in each cell, from the rows of values(num_cells, num_parameters).
+template <class Law>
+Kokkos::View<const Law*, MemorySpace> loadLaws(ConstTensorView const& values)
+{
+  const Kokkos::View<Law*, MemorySpace> laws(
+    Kokkos::view_alloc("asperity::fem::laws", Kokkos::WithoutInitializing), values.extent(0));
+  Kokkos::parallel_for(
+    "asperity::fem::loadLaws", RangePolicy(0, laws.extent_int(0)), KOKKOS_LAMBDA(int cell) {
+      laws(cell) = loadLaw<Law>(TensorRow{values, cell});
+    });
+  return laws;
+}
+
+// Law::shearStress(Trial) is t1, and Law::meanStress, where there is one, p1. A law with a history
+// of its own has Law::respond instead, which returns the change and updates the history.
 template <class Law>
 struct ReturnMapping
 {
+  Kokkos::View<const Law*, MemorySpace> laws; // (num of the law)
   YieldingCells of;
 
   KOKKOS_FUNCTION void operator()(int i) const
@@ -97,19 +140,41 @@ struct ReturnMapping
     const double K = of.bulk_modulus(cell);
     const double t = trial.shear_stress;
     const Trial of_cell = {t, trial.mean, of.shear_before(cell, 0), G, K, of.step};
-    const double t1 = Law::shearStress(&of.parameters(i, 0), of_cell);
+    of.shear_stress(cell) = t;
+    if constexpr (HasHistory<Law>::value) {
+      respond(i, cell, trial, of_cell);
+    } else {
+      returnTo(i, cell, trial, of_cell);
+    }
+  }
+
+  KOKKOS_FUNCTION void respond(int i, int cell, TrialStress const& trial,
+                               Trial const& of_cell) const
+  {
+    auto history = loadHistory<Law>(of.history_before, cell, of.column, trial.size);
+    const InelasticChange change = laws(i).respond(trial, of_cell, history);
+    storeHistory<Law>(history, of.history, cell, of.column, trial.size);
+    for (int k = 0; k < trial.size; ++k) {
+      of.inelastic(cell, k) = of.inelastic_before(cell, k) + change.strain[k];
+    }
+    of.shear(cell, 0) = of.shear_before(cell, 0) + change.shear;
+  }
+
+  KOKKOS_FUNCTION void returnTo(int i, int cell, TrialStress const& trial,
+                                Trial const& of_cell) const
+  {
+    const double G = of_cell.shear_modulus, K = of_cell.bulk_modulus, t = of_cell.shear_stress;
+    const double t1 = laws(i).shearStress(of_cell);
     const double lost = t > 0 ? (t - t1) / t : 0;
     double opened = 0;
     if constexpr (Dilates<Law>::value) {
-      opened = K > 0 ? (trial.mean - Law::meanStress(&of.parameters(i, 0), of_cell)) / (3 * K) : 0;
+      opened = K > 0 ? (trial.mean - laws(i).meanStress(of_cell)) / (3 * K) : 0;
     }
-    const int size = of.inelastic.extent_int(1);
-    for (int k = 0; k < size; ++k) {
+    for (int k = 0; k < trial.size; ++k) {
       of.inelastic(cell, k) = of.inelastic_before(cell, k) + lost * trial.deviator[k] / (2 * G) +
-                              (isOnDiagonal(size, k) ? opened : 0);
+                              (isOnDiagonal(trial.size, k) ? opened : 0);
     }
     of.shear(cell, 0) = of.shear_before(cell, 0) + (t - t1) / G;
-    of.shear_stress(cell) = t;
   }
 
   void run() const

@@ -1,10 +1,11 @@
 #pragma once
 
 #include "fem/bulk/Material.hpp"
-#include "portability/Parameter.hpp"
+#include "portability/LawParameters.hpp"
 
-// The dashpot beside the spring of a law (Kelvin and Voigt), which damps waves.
 namespace asperity::fem
+{
+namespace parameter
 {
 inline constexpr Parameter shear_viscosity = {
   "Shear Viscosity", "Pa s", 0,     0,
@@ -12,10 +13,18 @@ inline constexpr Parameter shear_viscosity = {
 inline constexpr Parameter bulk_viscosity = {
   "Bulk Viscosity", "Pa s", 0,     0,
   infinity,         true,   false, "This viscosity resists changes of volume (Kelvin-Voigt)."};
+} // namespace parameter
 
-inline void setViscosity(double shear, double bulk, Material& material)
+// The dashpot beside the spring of a law (Kelvin and Voigt), which damps waves.
+struct Viscosity
 {
-  material.shear_viscosity = shear;
-  material.bulk_viscosity = bulk;
-}
+  double shear_viscosity; // Pa s
+  double bulk_viscosity;  // Pa s
+
+  void complete(Material& material) const
+  {
+    material.shear_viscosity = shear_viscosity;
+    material.bulk_viscosity = bulk_viscosity;
+  }
+};
 } // namespace asperity::fem

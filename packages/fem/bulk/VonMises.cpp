@@ -1,5 +1,4 @@
 #include "fem/bulk/BulkLaw.hpp"
-#include "fem/bulk/Viscosity.hpp"
 #include "fem/bulk/Yield.hpp"
 
 namespace asperity::fem
@@ -8,28 +7,26 @@ namespace
 {
 // Elastic up to a shear stress t = sqrt(s : s / 2) that may grow with the inelastic shear:
 //   t <= k + H gamma, where k may fall with gamma
-struct VonMises
+struct VonMises : Yield
 {
   static constexpr char const* name = "Von Mises";
-  static constexpr Parameter parameters[] = {
-    {"Shear Strength", "Pa", no_default, 0, infinity, false, false,
-     "The rock yields at this shear stress, sqrt(s : s / 2) of its deviatoric part s."},
-    hardening,
-    yield_relaxation,
-    residual_share,
-    softening_shear,
-    shear_viscosity,
-    bulk_viscosity};
 
-  static void complete(double const* values, Material& material)
-  {
-    setViscosity(values[5], values[6], material);
-  }
+  double strength; // k [Pa]
 
-  KOKKOS_FUNCTION static double shearStress(double const* values, Trial const& trial)
+  static constexpr ParameterOf<VonMises> parameters[] = {
+    {&VonMises::strength,
+     {"Shear Strength", "Pa", no_default, 0, infinity, false, false,
+      "The rock yields at this shear stress, sqrt(s : s / 2) of its deviatoric part s."}},
+    {&VonMises::hardening, parameter::hardening},
+    {&VonMises::relaxation_time, parameter::yield_relaxation},
+    {&VonMises::residual_share, parameter::residual_share},
+    {&VonMises::softening_shear, parameter::softening_shear},
+    {&VonMises::shear_viscosity, parameter::shear_viscosity},
+    {&VonMises::bulk_viscosity, parameter::bulk_viscosity}};
+
+  KOKKOS_FUNCTION double shearStress(Trial const& trial) const
   {
-    const double k = values[0] * softened(values[3], values[4], trial);
-    return yielded(k, values[1], values[2], trial);
+    return yielded(strength * softened(trial), trial);
   }
 };
 } // namespace

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "fem/bulk/ReturnMapping.hpp"
-#include "portability/Parameter.hpp"
+#include "fem/bulk/Viscosity.hpp"
+#include "portability/LawParameters.hpp"
 
-// What laws with a yield stress have in common.
 namespace asperity::fem
+{
+namespace parameter
 {
 inline constexpr Parameter hardening = {
   "Hardening", "Pa",
@@ -41,28 +43,45 @@ inline constexpr Parameter yield_relaxation = {
   false,
   "Stress above the yield stress falls to 1/e within this time (Duvaut and Lions); 0: at once."};
 
-// The share of a cohesion that the inelastic shear of the steps before has left. It stays during a
-// step: if it fell within one, so would t1(t), and J would not be convex.
-KOKKOS_INLINE_FUNCTION double softened(double residual, double softening, Trial const& trial)
-{
-  const double softening_fraction = trial.shear < softening ? trial.shear / softening : 1;
-  return 1 - (1 - residual) * softening_fraction;
-}
+} // namespace parameter
 
-// t1 where the yield stress is `strength` [Pa] without inelastic shear and has a slope H [Pa], and
-// what lies above it relaxes with the time [s]:
-//   t_y = strength + H gamma1,   t1 = t_y + (t - t_y) exp(-step / time)
-// With hardening, gamma1 is that of the return without relaxation.
-KOKKOS_INLINE_FUNCTION double yielded(double strength, double H, double time, Trial const& trial)
+// What laws with a yield stress have in common; they may be viscous besides.
+struct Yield : Viscosity
 {
-  const double G = trial.shear_modulus;
-  const double at_start = (strength > 0 ? strength : 0) + H * trial.shear;
-  if (trial.shear_stress <= at_start) {
-    return trial.shear_stress;
+  double hardening;       // H [Pa]
+  double relaxation_time; // [s]
+  double residual_share;  // [-]
+  double softening_shear; // [-]
+
+  // The share of a cohesion that the inelastic shear of the steps before has left. It stays during
+  // a step: if it fell within one, so would t1(t), and J would not be convex.
+  KOKKOS_INLINE_FUNCTION double softened(Trial const& trial) const
+  {
+    const double softening_fraction =
+      trial.shear < softening_shear ? trial.shear / softening_shear : 1;
+    return 1 - (1 - residual_share) * softening_fraction;
   }
-  const double over = trial.shear_stress - at_start;
-  const double without = at_start + H / (G + H) * over;
-  return time > 0 ? without + (trial.shear_stress - without) * math::exp(-trial.step / time)
-                  : without;
-}
+
+  // The share of a stress above the yield stress that is left at the end of the step.
+  KOKKOS_INLINE_FUNCTION double leftOver(Trial const& trial) const
+  {
+    return relaxation_time > 0 ? math::exp(-trial.step / relaxation_time) : 0;
+  }
+
+  // t1 where the yield stress is `strength` [Pa] without inelastic shear and has the slope H, and
+  // what lies above it relaxes:
+  //   t_y = strength + H gamma1,   t1 = t_y + (t - t_y) exp(-step / relaxation time)
+  // With hardening, gamma1 is that of the return without relaxation.
+  KOKKOS_INLINE_FUNCTION double yielded(double strength, Trial const& trial) const
+  {
+    const double G = trial.shear_modulus, H = hardening;
+    const double at_start = (strength > 0 ? strength : 0) + H * trial.shear;
+    if (trial.shear_stress <= at_start) {
+      return trial.shear_stress;
+    }
+    const double over = trial.shear_stress - at_start;
+    const double without = at_start + H / (G + H) * over;
+    return without + (trial.shear_stress - without) * leftOver(trial);
+  }
+};
 } // namespace asperity::fem

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace asperity::fem
 {
@@ -24,9 +25,11 @@ std::vector<int> cellsOf(YieldingRock const& rock)
   return cells;
 }
 
-TensorView table(std::vector<double> const& values, std::size_t width, std::string const& label)
+// values(num_rows, width)
+TensorView table(std::vector<double> const& values, std::size_t num_rows, std::size_t width,
+                 std::string const& label)
 {
-  const TensorView view(label, values.size() / width, width);
+  const TensorView view(label, num_rows, width);
   auto const host = Kokkos::create_mirror_view(view);
   std::copy(values.begin(), values.end(), host.data());
   Kokkos::deep_copy(view, host);
@@ -112,24 +115,45 @@ InelasticCells::InelasticCells(Mesh<Dim> const& mesh, std::shared_ptr<const DofM
   shear_modulus_ = toDevice(shear_modulus, "asperity::fem::shearModulus");
   bulk_modulus_ = toDevice(bulk_modulus, "asperity::fem::bulkModulus");
   initial_mean_ = toDevice(mean, "asperity::fem::initialMeanStress");
-  initial_stress_ = table(stress, num_components_, "asperity::fem::initialStress");
+  initial_stress_ = table(stress, cells.size(), num_components_, "asperity::fem::initialStress");
   weights_ = toDevice(weights, "asperity::fem::weightsOfCells");
   own_measure_ = toDevice(measures, "asperity::fem::ownMeasure");
+  std::map<std::string, int> column_of_variable;
   for (auto const& part : rock.parts) {
     std::vector<int> of_part;
     for (const int cell : part.cells) {
       of_part.push_back(row_of[cell]);
     }
-    parts_.push_back({part.law, toDevice(of_part, "asperity::fem::cellsOfLaw"),
-                      table(part.parameters, std::max<std::size_t>(part.law.parameters.size(), 1),
-                            "asperity::fem::parametersOfLaw")});
+    auto const values = table(part.parameters, part.cells.size(), part.law.parameters.size(),
+                              "asperity::fem::parametersOfLaw");
+    parts_.push_back({part.law.make_kernel(values), toDevice(of_part, "asperity::fem::cellsOfLaw"),
+                      columnOf(part.law, column_of_variable)});
   }
+}
+
+// The same law in several regions has its columns once.
+int InelasticCells::columnOf(BulkLaw const& law, std::map<std::string, int>& columns)
+{
+  auto variables = law.history(num_components_);
+  if (variables.empty()) {
+    return 0;
+  }
+  auto const [found, is_new] = columns.emplace(variables.front().variable.name, history_width_);
+  if (is_new) {
+    for (auto& each : variables) {
+      each.first = history_width_;
+      history_width_ += each.width;
+      history_.push_back(each);
+    }
+  }
+  return found->second;
 }
 
 InelasticStrain InelasticCells::none() const
 {
   return {TensorView("asperity::fem::inelasticStrain", numCells(), num_components_),
-          TensorView("asperity::fem::inelasticShear", numCells(), 1)};
+          TensorView("asperity::fem::inelasticShear", numCells(), 1),
+          TensorView("asperity::fem::history", numCells(), history_width_)};
 }
 
 ConstTensorView InelasticCells::strainOf(Vector const& u) const
@@ -143,9 +167,9 @@ void InelasticCells::yield(ConstTensorView const& strain, double step,
                            InelasticStrain const& before, InelasticStrain const& after) const
 {
   for (auto const& part : parts_) {
-    part.law.yield({part.cells, part.parameters, shear_modulus_, bulk_modulus_, initial_stress_,
-                    initial_mean_, strain, before.strain, before.shear, step, after.strain,
-                    after.shear, shear_stress_});
+    part.yield({part.cells, shear_modulus_, bulk_modulus_, initial_stress_, initial_mean_, strain,
+                before.strain, before.shear, before.history, part.column, step, after.strain,
+                after.shear, after.history, shear_stress_});
   }
 }
 

@@ -8,8 +8,10 @@
 #include "fem/inelastic/CellSharing.hpp"
 #include "fem/inelastic/CellStrains.hpp"
 
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace asperity::fem
@@ -44,6 +46,8 @@ public:
   int numCells() const { return static_cast<int>(sharing_.cells().size()); }
   int vertexOf(int row) const { return vertices_[row]; } // a local vertex of the cell
   InelasticStrain none() const;                          // zero
+  // The columns of InelasticStrain::history.
+  std::vector<HistoryColumns> const& history() const { return history_; }
 
   // Sets `after` to the inelastic strain at the end of a step [s] that begins with `before` and
   // ends with the displacement u. Collective.
@@ -74,9 +78,9 @@ public:
 private:
   struct Part
   {
-    BulkLaw law;
+    YieldKernel yield;
     IndexView cells; // rows
-    ConstTensorView parameters;
+    int column;      // of the law's history, the first one
   };
 
   ConstTensorView strainOf(Vector const& u) const;
@@ -88,7 +92,11 @@ private:
   int num_components_;        // of a tensor
   std::vector<int> vertices_; // (num_cells)
   std::unique_ptr<const CellStrains> strains_;
+  int columnOf(BulkLaw const& law, std::map<std::string, int>& columns);
+
   std::vector<Part> parts_;
+  std::vector<HistoryColumns> history_;
+  int history_width_ = 0;
   ConstNodeView shear_modulus_, bulk_modulus_, initial_mean_, weights_;
   ConstNodeView own_measure_; // 0 in cells that another rank owns
   ConstTensorView initial_stress_;

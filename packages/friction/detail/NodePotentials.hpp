@@ -1,10 +1,10 @@
 #pragma once
 
+#include "friction/Parameter.hpp"
 #include "friction/Types.hpp"
 #include "friction/detail/NodePotential.hpp"
 
 #include <cstddef>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -18,12 +18,21 @@ using Unmanaged = Kokkos::View<typename View::data_type, typename View::array_la
 template <class Law>
 using LawView = Kokkos::View<const Law*, MemorySpace>;
 
+// The parameters at one node.
+struct ParameterColumn
+{
+  ParameterView values;
+  int node;
+
+  KOKKOS_INLINE_FUNCTION double operator()(std::size_t row) const { return values(row, node); }
+};
+
 // The laws at all nodes, read from the columns of `parameters` once: laws(num_nodes).
 // Throws std::invalid_argument if the number of rows is not that of the law's table.
 template <class Law>
 LawView<Law> loadLaws(ParameterView const& parameters)
 {
-  constexpr std::size_t expected = std::size(Law::parameters);
+  constexpr std::size_t expected = num_parameters<Law>;
   if (parameters.extent(0) != expected) {
     throw std::invalid_argument(std::string("asperity::friction: ") + Law::name + " has " +
                                 std::to_string(expected) + " parameters, but the view has " +
@@ -33,8 +42,9 @@ LawView<Law> loadLaws(ParameterView const& parameters)
     Kokkos::view_alloc("asperity::friction::laws", Kokkos::WithoutInitializing),
     parameters.extent(1));
   Kokkos::parallel_for(
-    "asperity::friction::loadLaws", RangePolicy(0, laws.extent(0)),
-    KOKKOS_LAMBDA(int node) { laws(node) = Law::load(parameters, node); });
+    "asperity::friction::loadLaws", RangePolicy(0, laws.extent(0)), KOKKOS_LAMBDA(int node) {
+      laws(node) = loadLaw<Law>(ParameterColumn{parameters, node});
+    });
   ExecutionSpace().fence();
   return laws;
 }

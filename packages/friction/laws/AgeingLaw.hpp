@@ -10,11 +10,6 @@ struct AgeingLaw : StateParameters
 {
   static constexpr char const* name = "Ageing";
 
-  KOKKOS_INLINE_FUNCTION static AgeingLaw load(ParameterView const& values, int node)
-  {
-    return {StateParameters::load(values, node)};
-  }
-
   // d(alpha)/dt in 1/s.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {

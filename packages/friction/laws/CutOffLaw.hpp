@@ -1,6 +1,8 @@
 #pragma once
 
-#include "friction/laws/DirectEffect.hpp"
+#include "friction/LawProperties.hpp"
+#include "friction/Types.hpp"
+#include "friction/detail/Math.hpp"
 
 namespace asperity::friction
 {
@@ -10,16 +12,23 @@ namespace asperity::friction
 struct CutOffLaw
 {
   static constexpr char const* name = "Cut-Off";
-  static constexpr Parameter parameters[] = {
-    DirectEffect::table[0],
-    DirectEffect::table[1],
-    {"Cut-Off Slip Rate", "m/s", no_default, 0, infinity, false, false,
-     "The direct effect ends at slip rates about this one, V_c."},
-    DirectEffect::table[3],
+
+  double a;
+  double b;
+  double cut_off;            // V_c, m/s
+  double reference_friction; // mu*
+
+  static constexpr ParameterOf<CutOffLaw> parameters[] = {
+    {&CutOffLaw::a, parameter::direct_effect},
+    {&CutOffLaw::b, parameter::state_effect},
+    {&CutOffLaw::cut_off,
+     {"Cut-Off Slip Rate", "m/s", no_default, 0, infinity, false, false,
+      "The direct effect ends at slip rates about this one, V_c."}},
+    {&CutOffLaw::reference_friction, parameter::reference_friction},
   };
-  // Far below the cut-off.
-  static Sensitivity sensitivity(double const* values) { return {values[0], values[1]}; }
-  static double referenceFriction(double const* values) { return values[3]; }
+
+  Sensitivity sensitivity() const { return {a, b}; } // far below the cut-off
+  double referenceFriction() const { return reference_friction; }
 
   // The law at one state: mu = max(0, level - a log(1 + V_c / V)).
   struct Curve
@@ -100,16 +109,6 @@ struct CutOffLaw
       return level - a * (of_sum - detail::meanLog(low, width, math::log(low), math::log(high)));
     }
   };
-
-  double a;
-  double b;
-  double cut_off;            // V_c, m/s
-  double reference_friction; // mu*
-
-  KOKKOS_INLINE_FUNCTION static CutOffLaw load(ParameterView const& values, int node)
-  {
-    return {values(0, node), values(1, node), values(2, node), values(3, node)};
-  }
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const
   {

@@ -13,43 +13,35 @@ namespace asperity::friction
 // is said in x(V) = log(V / V_alpha) = log V + shift(alpha).
 struct DirectEffect
 {
-  static constexpr Parameter table[] = {
-    {"a", "-", no_default, 0, infinity, false, false,
-     "This is the weight of the direct effect: mu grows by this value when the slip rate grows by "
-     "a factor e.",
-     "Check the sign; typical values are 0.005 to 0.03."},
-    {"b", "-", no_default, 0, infinity, true, false,
-     "This is the weight of the state: mu grows by this value when the state theta grows by a "
-     "factor e."},
-    reference_slip_rate,
-    {"Reference Friction Coefficient", "-", 0.6, 0, infinity, true, false,
-     "Friction has this coefficient mu* in steady sliding at the reference slip rate."},
-  };
-
   double a;
   double b;
-  double log_reference_slip_rate; // log(V* s/m)
-  double reference_friction;      // mu*
+  double reference_rate;     // V*, m/s
+  double reference_friction; // mu*
+  double log_reference_rate; // log(V* s/m)
 
-  // Reads column `node` of parameters(num_parameters, num_nodes), rows in the order of the table.
-  KOKKOS_INLINE_FUNCTION static DirectEffect load(ParameterView const& parameters, int node)
-  {
-    return {parameters(0, node), parameters(1, node), math::log(parameters(2, node)),
-            parameters(3, node)};
-  }
+  static constexpr ParameterOf<DirectEffect> parameters[] = {
+    {&DirectEffect::a, parameter::direct_effect},
+    {&DirectEffect::b, parameter::state_effect},
+    {&DirectEffect::reference_rate, parameter::reference_slip_rate},
+    {&DirectEffect::reference_friction, parameter::reference_friction},
+  };
 
-  static Sensitivity sensitivity(double const* values) { return {values[0], values[1]}; }
+  KOKKOS_INLINE_FUNCTION void prepare() { log_reference_rate = math::log(reference_rate); }
+
+  // See LawProperties.hpp.
+  Sensitivity sensitivity() const { return {a, b}; }
+  double referenceFriction() const { return reference_friction; }
 
   // -log(V_alpha s/m)
   KOKKOS_INLINE_FUNCTION double shift(double alpha) const
   {
-    return (reference_friction + b * alpha) / a - log_reference_slip_rate;
+    return (reference_friction + b * alpha) / a - log_reference_rate;
   }
 
   // The alpha at which log(V / V_alpha) = x; not a finite number if b = 0.
   KOKKOS_INLINE_FUNCTION double stateAt(double V, double x) const
   {
-    return (a * (x - (math::log(V) - log_reference_slip_rate)) - reference_friction) / b;
+    return (a * (x - (math::log(V) - log_reference_rate)) - reference_friction) / b;
   }
 };
 } // namespace asperity::friction

@@ -4,8 +4,6 @@
 #include "friction/Types.hpp"
 #include "friction/detail/Math.hpp"
 
-#include <array>
-
 namespace asperity::friction
 {
 // A fault without friction: mu = 0 at every slip rate, with nothing to choose. What the fault bears
@@ -14,7 +12,6 @@ struct NoFriction
 {
   static constexpr char const* name = "None";
   static constexpr char const* state_variable = no_state;
-  static constexpr std::array<Parameter, 0> parameters = {};
 
   struct Curve
   {
@@ -25,7 +22,6 @@ struct NoFriction
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
   };
 
-  KOKKOS_INLINE_FUNCTION static NoFriction load(ParameterView const&, int) { return {}; }
   KOKKOS_INLINE_FUNCTION Curve at(double) const { return {}; }
   KOKKOS_INLINE_FUNCTION double stateFor(double, double) const { return infinity; }
 };
@@ -35,9 +31,7 @@ struct NoState
 {
   static constexpr char const* name = "None";
   static constexpr char const* state_variable = no_state;
-  static constexpr std::array<Parameter, 0> parameters = {};
 
-  KOKKOS_INLINE_FUNCTION static NoState load(ParameterView const&, int) { return {}; }
   KOKKOS_INLINE_FUNCTION double rate(double, double) const { return 0; }
   KOKKOS_INLINE_FUNCTION double flow(double, double, double alpha0) const { return alpha0; }
   KOKKOS_INLINE_FUNCTION double steadyState(double) const { return 0; }

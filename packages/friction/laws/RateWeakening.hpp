@@ -19,32 +19,36 @@ struct RateWeakening : SteadyFriction<Law>
   using Base = SteadyFriction<Law>;
   using Base::a;
   using Base::b;
-  static constexpr Parameter parameters[7] = {
-    DirectEffect::table[0],
-    Base::b_parameter,
-    Base::L_parameter,
-    reference_slip_rate,
-    DirectEffect::table[3],
-    {"Weakened Friction Coefficient", "-", 0.2, 0, infinity, true, false,
-     "Steady friction falls towards this coefficient f_w at slip rates far above the weakening "
-     "slip rate."},
-    {"Weakening Slip Rate", "m/s", 0.1, 0, infinity, false, false,
-     "Steady friction falls at slip rates above this one, V_w."},
-  };
 
   double weakened_friction;  // f_w
+  double weakening_rate;     // V_w, m/s
   double log_weakening_rate; // log(V_w s/m)
 
-  // Reads column `node` of values(num_parameters, num_nodes), rows in the order of the table.
-  KOKKOS_INLINE_FUNCTION static Law load(ParameterView const& values, int node)
+  static constexpr ParameterOf<RateWeakening> parameters[] = {
+    {&RateWeakening::a, parameter::direct_effect},
+    {&RateWeakening::b, parameter::positive_state_effect},
+    {&RateWeakening::slip_distance, parameter::slip_distance},
+    {&RateWeakening::reference_rate, parameter::reference_slip_rate},
+    {&RateWeakening::reference_friction, parameter::reference_friction},
+    {&RateWeakening::weakened_friction,
+     {"Weakened Friction Coefficient", "-", 0.2, 0, infinity, true, false,
+      "Steady friction falls towards this coefficient f_w at slip rates far above the weakening "
+      "slip rate."}},
+    {&RateWeakening::weakening_rate,
+     {"Weakening Slip Rate", "m/s", 0.1, 0, infinity, false, false,
+      "Steady friction falls at slip rates above this one, V_w."}},
+  };
+
+  KOKKOS_INLINE_FUNCTION void prepare()
   {
-    return {{Base::load(values, node), values(5, node), math::log(values(6, node))}};
+    Base::prepare();
+    log_weakening_rate = math::log(weakening_rate);
   }
 
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
     const double log_V = math::log(V);
-    const double x = log_V - this->log_reference_slip_rate;
+    const double x = log_V - this->log_reference_rate;
     const double share = Law::share(log_V - log_weakening_rate);
     if (share == 1) {
       return -x;

@@ -6,10 +6,9 @@ namespace asperity::friction
 {
 // mu(V, alpha) = a asinh(V / (2 V_alpha)), Pipping 2014, (5): smooth, linear far below V_alpha,
 // a log(V / V_alpha) far above. Host and device; V >= 0 in m/s, any alpha.
-struct RegularisedLaw
+struct RegularisedLaw : DirectEffect
 {
   static constexpr char const* name = "Regularised";
-  static constexpr auto const& parameters = DirectEffect::table;
 
   // The law at one state, a function of the slip rate alone. z = V / (2 V_alpha) = exp(x) / 2.
   struct Curve
@@ -68,24 +67,14 @@ struct RegularisedLaw
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
   };
 
-  DirectEffect effect;
-
-  KOKKOS_INLINE_FUNCTION static RegularisedLaw load(ParameterView const& parameters, int node)
-  {
-    return {DirectEffect::load(parameters, node)};
-  }
-
-  static Sensitivity sensitivity(double const* values) { return DirectEffect::sensitivity(values); }
-  static double referenceFriction(double const* values) { return values[3]; }
-
-  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
+  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {a, shift(alpha)}; }
 
   // The alpha at which mu(V, alpha) = mu. The logarithm of V / V_alpha = 2 sinh(mu / a) is used,
   // since the hyperbolic sine overflows. V > 0, mu > 0.
   KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
   {
-    const double y = mu / effect.a;
-    return effect.stateAt(V, y + math::log(-math::expm1(-2 * y)));
+    const double y = mu / a;
+    return stateAt(V, y + math::log(-math::expm1(-2 * y)));
   }
 };
 

@@ -11,11 +11,6 @@ struct SlipLaw : StateParameters
 {
   static constexpr char const* name = "Slip";
 
-  KOKKOS_INLINE_FUNCTION static SlipLaw load(ParameterView const& values, int node)
-  {
-    return {StateParameters::load(values, node)};
-  }
-
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {
     return detail::relaxationRate(V, slip_distance, alpha, steadyState(V));

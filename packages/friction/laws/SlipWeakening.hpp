@@ -13,14 +13,21 @@ struct SlipWeakeningLaw
 {
   static constexpr char const* name = "Slip Weakening";
   static constexpr char const* state_variable = "share of slip weakening";
-  static constexpr Parameter parameters[] = {
-    {"Static Friction Coefficient", "-", no_default, 0, infinity, true, false,
-     "The fault begins to slip at this coefficient mu_s.", "Check the sign."},
-    {"Dynamic Friction Coefficient", "-", no_default, 0, infinity, true, false,
-     "Friction has this coefficient mu_d after slip by the slip-weakening distance.",
-     "Check the sign."},
+
+  double static_friction;  // mu_s
+  double dynamic_friction; // mu_d
+
+  static constexpr ParameterOf<SlipWeakeningLaw> parameters[] = {
+    {&SlipWeakeningLaw::static_friction,
+     {"Static Friction Coefficient", "-", no_default, 0, infinity, true, false,
+      "The fault begins to slip at this coefficient mu_s.", "Check the sign."}},
+    {&SlipWeakeningLaw::dynamic_friction,
+     {"Dynamic Friction Coefficient", "-", no_default, 0, infinity, true, false,
+      "Friction has this coefficient mu_d after slip by the slip-weakening distance.",
+      "Check the sign."}},
   };
-  static double strengthDrop(double const* values) { return values[0] - values[1]; }
+
+  double strengthDrop() const { return static_friction - dynamic_friction; }
 
   // The law at one state.
   struct Curve
@@ -34,14 +41,6 @@ struct SlipWeakeningLaw
     KOKKOS_INLINE_FUNCTION double mean(double, double) const { return level; }
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double) const { return false; }
   };
-
-  double static_friction;  // mu_s
-  double dynamic_friction; // mu_d
-
-  KOKKOS_INLINE_FUNCTION static SlipWeakeningLaw load(ParameterView const& values, int node)
-  {
-    return {values(0, node), values(1, node)};
-  }
 
   KOKKOS_INLINE_FUNCTION Curve at(double alpha) const
   {
@@ -62,18 +61,16 @@ struct SlipWeakeningState
 {
   static constexpr char const* name = "Slip Weakening";
   static constexpr char const* state_variable = SlipWeakeningLaw::state_variable;
-  static constexpr Parameter parameters[] = {
-    {"Slip-Weakening Distance", "m", no_default, 0, infinity, false, false,
-     "Friction falls from its static to its dynamic coefficient, linearly over this slip d_c."},
-  };
-  static double slipDistance(double const* values) { return values[0]; }
 
   double distance; // d_c, m
 
-  KOKKOS_INLINE_FUNCTION static SlipWeakeningState load(ParameterView const& values, int node)
-  {
-    return {values(0, node)};
-  }
+  static constexpr ParameterOf<SlipWeakeningState> parameters[] = {
+    {&SlipWeakeningState::distance,
+     {"Slip-Weakening Distance", "m", no_default, 0, infinity, false, false,
+      "Friction falls from its static to its dynamic coefficient, linearly over this slip d_c."}},
+  };
+
+  double slipDistance() const { return distance; }
 
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "friction/laws/DirectEffect.hpp"
+#include "friction/LawProperties.hpp"
+#include "friction/Types.hpp"
+#include "friction/detail/Math.hpp"
 #include "friction/laws/SlipRelaxation.hpp"
 
 namespace asperity::friction
@@ -10,45 +12,23 @@ namespace asperity::friction
 //
 //   d(psi)/dt = -(V / L) (psi - psi_ss),  psi_ss = a log[2 (V* / V) sinh(f_ss / a)]
 //
-// Law gives `name`, `parameters`, which begin with those here, and steadyState(V), which calls
-// stateOf. Host and device; V >= 0 in m/s.
+// Law gives `name`, `parameters`, among them those of the members here, and steadyState(V), which
+// calls stateOf. Host and device; V >= 0 in m/s.
 template <class Law>
 struct SteadyFriction
 {
-  static constexpr Parameter b_parameter = {
-    "b",
-    "-",
-    no_default,
-    0,
-    infinity,
-    false,
-    false,
-    "This is the weight of the state: mu grows by this value when the state theta grows by a "
-    "factor e."};
-  static constexpr Parameter L_parameter = {
-    "L",
-    "m",
-    no_default,
-    0,
-    infinity,
-    false,
-    false,
-    "This is the characteristic slip distance, over which the state adapts to a new slip rate."};
-  static double slipDistance(double const* values) { return values[2]; }
-  static constexpr bool weakens_at_high_rates = true;
-
   double a;
   double b;
-  double slip_distance;           // L, m
-  double log_reference_slip_rate; // log(V* s/m)
-  double reference_friction;      // mu*
+  double slip_distance;      // L, m
+  double reference_rate;     // V*, m/s
+  double reference_friction; // mu*
+  double log_reference_rate; // log(V* s/m)
 
-  // Reads column `node` of values(num_parameters, num_nodes): a, b, L, V*, mu* and those of Law.
-  KOKKOS_INLINE_FUNCTION static SteadyFriction load(ParameterView const& values, int node)
-  {
-    return {values(0, node), values(1, node), values(2, node), math::log(values(3, node)),
-            values(4, node)};
-  }
+  KOKKOS_INLINE_FUNCTION void prepare() { log_reference_rate = math::log(reference_rate); }
+
+  // See LawProperties.hpp.
+  static constexpr bool weakens_at_high_rates = true;
+  double slipDistance() const { return slip_distance; }
 
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {

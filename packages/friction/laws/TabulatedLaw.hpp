@@ -10,22 +10,21 @@ namespace asperity::friction
 struct TabulatedLaw : SteadyFriction<TabulatedLaw>
 {
   static constexpr char const* name = "Tabulated";
-  static constexpr Parameter parameters[5] = {DirectEffect::table[0], b_parameter, L_parameter,
-                                              reference_slip_rate, DirectEffect::table[3]};
+  static constexpr ParameterOf<SteadyFriction> parameters[] = {
+    {&SteadyFriction::a, parameter::direct_effect},
+    {&SteadyFriction::b, parameter::positive_state_effect},
+    {&SteadyFriction::slip_distance, parameter::slip_distance},
+    {&SteadyFriction::reference_rate, parameter::reference_slip_rate},
+    {&SteadyFriction::reference_friction, parameter::reference_friction},
+  };
 
   Table table = {}; // given by LawStateKernels
-
-  // Reads column `node` of values(num_parameters, num_nodes), rows in the order of the table.
-  KOKKOS_INLINE_FUNCTION static TabulatedLaw load(ParameterView const& values, int node)
-  {
-    return {SteadyFriction::load(values, node)};
-  }
 
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
     constexpr double log10_of_e = 0.43429448190325182765;
     const double log_V = math::log(V);
-    return stateOf(table(log10_of_e * log_V) / a, log_V - log_reference_slip_rate);
+    return stateOf(table(log10_of_e * log_V) / a, log_V - log_reference_rate);
   }
 };
 } // namespace asperity::friction

@@ -6,10 +6,9 @@ namespace asperity::friction
 {
 // mu(V, alpha) = a max(log(V / V_alpha), 0), Pipping 2014, (6). There is no friction below V_alpha,
 // where the law has a kink. Host and device; V >= 0 in m/s, any alpha.
-struct TruncatedLaw
+struct TruncatedLaw : DirectEffect
 {
   static constexpr char const* name = "Truncated";
-  static constexpr auto const& parameters = DirectEffect::table;
 
   // The law at one state, a function of the slip rate alone.
   struct Curve
@@ -71,22 +70,9 @@ struct TruncatedLaw
     }
   };
 
-  DirectEffect effect;
-
-  KOKKOS_INLINE_FUNCTION static TruncatedLaw load(ParameterView const& parameters, int node)
-  {
-    return {DirectEffect::load(parameters, node)};
-  }
-
-  static Sensitivity sensitivity(double const* values) { return DirectEffect::sensitivity(values); }
-  static double referenceFriction(double const* values) { return values[3]; }
-
-  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {effect.a, effect.shift(alpha)}; }
+  KOKKOS_INLINE_FUNCTION Curve at(double alpha) const { return {a, shift(alpha)}; }
 
   // The alpha at which mu(V, alpha) = mu; V > 0, mu > 0.
-  KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
-  {
-    return effect.stateAt(V, mu / effect.a);
-  }
+  KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const { return stateAt(V, mu / a); }
 };
 } // namespace asperity::friction

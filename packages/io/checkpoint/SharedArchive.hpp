@@ -1,9 +1,9 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "base/Types.hpp"
 #include "base/parallel/Messages.hpp"
 #include "hdf5/File.hpp"
-#include "io/Archive.hpp"
 
 #include <functional>
 #include <optional>

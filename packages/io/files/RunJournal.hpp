@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "base/Types.hpp"
 #include "base/Warning.hpp"
-#include "io/Archive.hpp"
 #include "io/files/Progress.hpp"
 
 #include <cstdint>

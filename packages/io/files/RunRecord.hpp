@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "base/Warning.hpp"
-#include "io/Archive.hpp"
 #include "io/files/RunJournal.hpp"
 #include "io/files/RunLog.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "base/Hashes.hpp"
 #include "base/Types.hpp"
-#include "io/Archive.hpp"
 
 #include <cstdint>
 #include <filesystem>

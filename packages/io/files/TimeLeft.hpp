@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/Archive.hpp"
+#include "base/Archive.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/Archive.hpp"
+#include "base/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/Output.hpp"
 #include "io/OutputDomain.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "base/Types.hpp"
 #include "hdf5/File.hpp"
-#include "io/Archive.hpp"
 #include "io/parallel/ElementBlocks.hpp"
 #include "io/parallel/NodeBlocks.hpp"
 #include "io/series/GeometryFile.hpp"

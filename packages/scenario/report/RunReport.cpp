@@ -247,15 +247,6 @@ std::optional<Warning> warnOfDefect(dynamics::Energy const& energy)
       "help, please report this with the deck."};
 }
 
-Warning warnOfRises(std::int64_t rises)
-{
-  return {"energy increase",
-          "J grew in " + std::to_string(rises) +
-            " sweeps or corrections of TNNMG (energy_rises in steps.csv) by more than rounding. J "
-            "is the energy that every time step minimises; it must fall. Results of these steps "
-            "may be wrong: please report this with the deck."};
-}
-
 std::string summarise(RunSummary const& summary, std::string const& of_outputs)
 {
   std::ostringstream text;
@@ -272,7 +263,7 @@ std::string summarise(RunSummary const& summary, std::string const& of_outputs)
     text << summary.forced_steps
          << " steps of the smallest size were accepted above the tolerance.\n";
   }
-  text << summary.of_floor << summary.of_front;
+  text << summary.of_floor << summary.of_watches;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");
   text << "\nResults in " << summary.directory;
   return text.str();

@@ -32,15 +32,14 @@ struct RunSummary
   std::int64_t num_steps = 0;
   std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
   dynamics::SolveCount count;
-  std::string of_floor; // the line of FloorCount::report, or nothing
-  std::string of_front; // the line of FrontWatch::report, or nothing
+  std::string of_floor;   // the line of FloorCount::report, or nothing
+  std::string of_watches; // the lines of dynamics::Watches::report
   dynamics::Energy energy;
   int setups = 0;
   double setup_seconds = 0;
   std::string directory;
 };
 
-Warning warnOfRises(std::int64_t rises); // sweeps and corrections in which J grew
 // If the defect of the balance of energy exceeds a thousandth of the largest work or of the kinetic
 // energy, and rounding, 1e-9 of kinetic and elastic energy.
 std::optional<Warning> warnOfDefect(dynamics::Energy const& energy);

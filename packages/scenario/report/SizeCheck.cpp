@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "mesh/BoundingBox.hpp"
 #include "mesh/Mesh.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/report/BoundaryField.hpp"
@@ -34,13 +35,7 @@ template <int Dim>
 BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
 {
   auto const& mesh = problem.mesh;
-  std::vector<double> ends(2 * Dim, std::numeric_limits<double>::infinity()); // -highest
-  for (auto const& vertex : mesh.vertices) {
-    for (int d = 0; d < Dim; ++d) {
-      ends[d] = std::min(ends[d], vertex[d]);
-      ends[Dim + d] = std::min(ends[Dim + d], -vertex[d]);
-    }
-  }
+  auto const sides = mesh::sidesOfBox<Dim>(mesh.vertices, *problem.communicator);
   auto const diameters = mesh::cellDiameters(mesh);
   std::vector<double> times(2, std::numeric_limits<double>::infinity()); // -slowness, of cells
   for (std::size_t c = 0; c < diameters.size(); ++c) {
@@ -49,12 +44,11 @@ BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
     times[0] = std::min(times[0], -slowness);
     times[1] = std::min(times[1], diameters[c] * slowness);
   }
-  ends = minOverRanks(ends, *problem.communicator);
   times = minOverRanks(times, *problem.communicator);
   BodySize size;
   double square = 0;
   for (int d = 0; d < Dim; ++d) {
-    const double extent = std::max(-ends[Dim + d] - ends[d], mesh.period[d]);
+    const double extent = std::max(sides[d], mesh.period[d]);
     size.longest_axis = std::max(size.longest_axis, extent);
     square += extent * extent;
   }
@@ -134,26 +128,6 @@ double largestSlip(NodalField const& rate, double end)
   }
   return smaller;
 }
-
-// The longest axis of the bounding box of vertices of all ranks.
-template <int Dim>
-double extentOf(Mesh<Dim> const& mesh, std::vector<int> const& vertices,
-                Communicator const& communicator)
-{
-  std::vector<double> ends(2 * Dim, std::numeric_limits<double>::infinity());
-  for (const int vertex : vertices) {
-    for (int d = 0; d < Dim; ++d) {
-      ends[d] = std::min(ends[d], mesh.vertices[vertex][d]);
-      ends[Dim + d] = std::min(ends[Dim + d], -mesh.vertices[vertex][d]);
-    }
-  }
-  ends = minOverRanks(ends, communicator);
-  double extent = 0;
-  for (int d = 0; d < Dim; ++d) {
-    extent = std::max(extent, -ends[Dim + d] - ends[d]);
-  }
-  return extent;
-}
 } // namespace
 
 template <int Dim>
@@ -168,8 +142,12 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, Parameter
         !isGiven(condition.list, "Slip Rate")) {
       continue;
     }
-    const double extent =
-      extentOf(problem.mesh, mesh::boundaryVertices(problem.mesh, name), *problem.communicator);
+    std::vector<Point<Dim>> places;
+    for (const int vertex : mesh::boundaryVertices(problem.mesh, name)) {
+      places.push_back(problem.mesh.vertices[vertex]);
+    }
+    auto const sides = mesh::sidesOfBox<Dim>(places, *problem.communicator);
+    const double extent = *std::max_element(sides.begin(), sides.end());
     auto const rate = boundaryField(condition, "Slip Rate", problem.mesh);
     const double slip = maxOverRanks(largestSlip(rate, end), *problem.communicator);
     if (slip > small_strain * extent) {

@@ -10,11 +10,11 @@
 namespace asperity::scenario
 {
 template <int Dim>
-io::NodeSets nodeSets(Problem<Dim> const& problem,
-                      std::map<std::string, io::OutputDomain> const& domains)
+NodeSets nodeSets(Problem<Dim> const& problem,
+                  std::map<std::string, io::OutputDomain> const& domains)
 {
   auto const& ids = problem.mesh.global_ids;
-  io::NodeSets sets;
+  NodeSets sets;
   sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem.mesh.num_owned);
   for (const int vertex : problem.surface->vertices()) {
     sets[nodes_of_friction].push_back(ids[vertex]);
@@ -28,8 +28,8 @@ io::NodeSets nodeSets(Problem<Dim> const& problem,
   return sets;
 }
 
-template io::NodeSets nodeSets(Problem<2> const&, std::map<std::string, io::OutputDomain> const&);
-template io::NodeSets nodeSets(Problem<3> const&, std::map<std::string, io::OutputDomain> const&);
+template NodeSets nodeSets(Problem<2> const&, std::map<std::string, io::OutputDomain> const&);
+template NodeSets nodeSets(Problem<3> const&, std::map<std::string, io::OutputDomain> const&);
 
 Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
                          std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
@@ -44,7 +44,7 @@ Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList c
 }
 
 // A law with the same name but another formula would continue the state of the earlier law.
-io::Archive Checkpoints::read(std::string const& restart, io::NodeSets const& here) const
+Archive Checkpoints::read(std::string const& restart, NodeSets const& here) const
 {
   auto archive = io::readCheckpoint(restart, fingerprint_, *communicator_, here);
   onEveryRank(*communicator_, [&] {
@@ -59,7 +59,7 @@ io::Archive Checkpoints::read(std::string const& restart, io::NodeSets const& he
 
 bool Checkpoints::isTime() const { return Clock::now() - last_ >= minutes_; }
 
-void Checkpoints::write(std::function<void(io::Archive&)> const& save, io::NodeSets const& here)
+void Checkpoints::write(std::function<void(Archive&)> const& save, NodeSets const& here)
 {
   onRoot(*communicator_, [&] {
     if (!std::filesystem::is_directory(directory_)) {
@@ -69,7 +69,7 @@ void Checkpoints::write(std::function<void(io::Archive&)> const& save, io::NodeS
     }
   });
   ASPERITY_TIME_WORK("checkpoints");
-  io::Archive archive;
+  Archive archive;
   save(archive);
   archive.set("plugins", plugins_);
   io::writeCheckpoint(file(), std::move(archive), fingerprint_, *communicator_, here);

@@ -17,8 +17,8 @@ namespace asperity::scenario
 {
 // The sets of nodes to which values in a checkpoint of the problem may belong, by name.
 template <int Dim>
-io::NodeSets nodeSets(Problem<Dim> const& problem,
-                      std::map<std::string, io::OutputDomain> const& domains);
+NodeSets nodeSets(Problem<Dim> const& problem,
+                  std::map<std::string, io::OutputDomain> const& domains);
 
 // The checkpoints of a run: when one is due, and what a restart must match.
 class Checkpoints
@@ -33,13 +33,13 @@ public:
 
   // The checkpoint of a restart. InputError, on every rank, if the deck or the content of the
   // plugins differs from that of the run that wrote it. Collective.
-  io::Archive read(std::string const& restart, io::NodeSets const& here) const;
+  Archive read(std::string const& restart, NodeSets const& here) const;
 
   bool isTime() const; // by the clock of this rank
   bool areDueAfter(std::int64_t num_steps) const { return num_steps % interval_ == 0; }
 
   // Writes what `save` puts into the archive. OutputError if the directory is gone. Collective.
-  void write(std::function<void(io::Archive&)> const& save, io::NodeSets const& here);
+  void write(std::function<void(Archive&)> const& save, NodeSets const& here);
 
 private:
   using Clock = std::chrono::steady_clock;

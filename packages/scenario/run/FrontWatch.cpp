@@ -9,35 +9,35 @@
 
 namespace asperity::scenario
 {
-FrontWatch::FrontWatch(std::optional<dynamics::FrontZone> zone, dynamics::Fault const& fault)
-    : zone_(std::move(zone))
-    , fault_(fault)
+FrontWatch::FrontWatch(dynamics::WatchContext const& context)
+    : zone_(context.zone)
+    , fault_(context.fault)
 {
 }
 
-std::optional<Warning> FrontWatch::note(dynamics::State const& now,
-                                        dynamics::FaultSample const& sample, double time)
+void FrontWatch::note(dynamics::WatchedState const& now, dynamics::Notes& notes)
 {
-  if (!zone_) {
-    return std::nullopt;
+  if (!zone_ || !now.step) {
+    return;
   }
-  auto const found = zone_->narrowest(fault_.state(), sample.slipRates(), fault_.given(now));
+  auto const found =
+    zone_->narrowest(fault_.state(), now.sample.slipRates(), fault_.given(now.state));
   if (!found || found->cells >= cells_) {
-    return std::nullopt;
+    return;
   }
   cells_ = found->cells;
   length_ = found->length;
-  time_ = time;
+  time_ = now.time;
   std::array<double, 3> mine;
   mine.fill(std::numeric_limits<double>::lowest());
   place_ = maxOverRanks(found->node >= 0 ? fault_.surface()[found->node].place : mine,
                         *fault_.surface().communicator());
   if (cells_ >= fewest_cells_of_front || cells_ > told_ / 2) {
-    return std::nullopt;
+    return;
   }
   told_ = cells_;
-  return warnOfFront(cells_, "at t = " + formatShort(time) + " s, " +
-                               formatPoint({place_[0], place_[1], place_[2]}));
+  notes.add(warnOfFront(cells_, "at t = " + formatShort(time_) + " s, " +
+                                  formatPoint({place_[0], place_[1], place_[2]})));
 }
 
 std::string FrontWatch::report() const
@@ -50,31 +50,34 @@ std::string FrontWatch::report() const
          formatShort(length_) + " m, " + formatShort(cells_) + " cells.\n";
 }
 
-void FrontWatch::save(io::Archive& archive, std::string const& path) const
+void FrontWatch::save(Archive& archive) const
 {
   if (!(cells_ < std::numeric_limits<double>::infinity())) {
     return;
   }
-  archive.set(path + "cells", cells_);
-  archive.set(path + "length", length_);
-  archive.set(path + "time", time_);
-  archive.set(path + "told", told_);
+  archive.set("cells", cells_);
+  archive.set("length", length_);
+  archive.set("time", time_);
+  archive.set("told", told_);
   for (int k = 0; k < 3; ++k) {
-    archive.set(path + "place_" + std::to_string(k), place_[k]);
+    archive.set("place_" + std::to_string(k), place_[k]);
   }
 }
 
-void FrontWatch::restore(io::Archive const& archive, std::string const& path)
+void FrontWatch::restore(Archive const& archive, Restart const&)
 {
-  if (!archive.has(path + "cells")) {
+  if (!archive.has("cells")) {
     return;
   }
-  cells_ = archive.getDouble(path + "cells");
-  length_ = archive.getDouble(path + "length");
-  time_ = archive.getDouble(path + "time");
-  told_ = archive.getDouble(path + "told"); // the restart has repeated that warning
+  cells_ = archive.getDouble("cells");
+  length_ = archive.getDouble("length");
+  time_ = archive.getDouble("time");
+  told_ = archive.getDouble("told"); // the restart has repeated that warning
   for (int k = 0; k < 3; ++k) {
-    place_[k] = archive.getDouble(path + "place_" + std::to_string(k));
+    place_[k] = archive.getDouble("place_" + std::to_string(k));
   }
 }
 } // namespace asperity::scenario
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "front_watch",
+                  asperity::dynamics::WatchKindOf<asperity::scenario::FrontWatch>)

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "base/Warning.hpp"
-#include "dynamics/checks/FrontZone.hpp"
-#include "dynamics/observables/FaultSample.hpp"
-#include "io/Archive.hpp"
+#include "dynamics/control/Watch.hpp"
 
 #include <array>
 #include <limits>
@@ -14,23 +11,21 @@ namespace asperity::scenario
 {
 // Notes the fewest cells that the zone behind a front of slip has in a run, by the state, slip rate
 // and effective normal stress of each step.
-class FrontWatch
+class FrontWatch : public dynamics::Watch
 {
 public:
-  // Neither has to be there; the fault must outlive this.
-  FrontWatch(std::optional<dynamics::FrontZone> zone, dynamics::Fault const& fault);
+  // There may be no zone.
+  explicit FrontWatch(dynamics::WatchContext const& context);
 
-  // Looks at the end of a step, at `time` [s]; a warning the first time that the zone has fewer
-  // cells than scenario::fewest_cells_of_front, and again when it has half of what was told. The
-  // same on all ranks. Collective.
-  std::optional<Warning> note(dynamics::State const& now, dynamics::FaultSample const& sample,
-                              double time);
+  // Looks at the end of a step. Warns the first time that the zone has fewer cells than
+  // scenario::fewest_cells_of_front, and again when it has half of what was told.
+  void note(dynamics::WatchedState const& now, dynamics::Notes& notes) override;
 
-  // A line for run.log; empty if friction fell nowhere.
-  std::string report() const;
+  // Empty if friction fell nowhere.
+  std::string report() const override;
 
-  void save(io::Archive& archive, std::string const& path) const;
-  void restore(io::Archive const& archive, std::string const& path);
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive, Restart const&) override;
 
 private:
   std::optional<dynamics::FrontZone> zone_;

@@ -143,8 +143,8 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
 }
 
 template <int Dim>
-io::Archive checkpointOf(std::filesystem::path const& file, Problem<Dim> const& problem,
-                         Domains const& domains, ParameterList const& deck)
+Archive checkpointOf(std::filesystem::path const& file, Problem<Dim> const& problem,
+                     Domains const& domains, ParameterList const& deck)
 {
   return io::readCheckpoint(file, fingerprint(deck, problem.mesh, *problem.communicator),
                             *problem.communicator, nodeSets(problem, domains));
@@ -169,7 +169,7 @@ using dynamics::State;
 template <int Dim>
 void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain const& from,
                Problem<Dim> const& problem, io::OutputDomain const& to,
-               std::filesystem::path const& run, io::Archive& archive)
+               std::filesystem::path const& run, Archive& archive)
 {
   std::vector<Values> there;
   State::visitBody(
@@ -201,7 +201,7 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
 template <int Dim>
 void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain const& from,
                 Problem<Dim> const& problem, io::OutputDomain const& to,
-                std::filesystem::path const& run, io::Archive& archive)
+                std::filesystem::path const& run, Archive& archive)
 {
   auto const order_there = nodesOfFriction(other, from), order = nodesOfFriction(problem, to);
   const catalogue::Interpolation along_fault(from, to, run.string());
@@ -233,9 +233,9 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
 } // namespace
 
 template <int Dim>
-io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
-                            Domains const& domains, ParameterList const& deck,
-                            dynamics::DyadicTime const& clock, double end)
+Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
+                        Domains const& domains, ParameterList const& deck,
+                        dynamics::DyadicTime const& clock, double end)
 {
   std::error_code ignored;
   ASPERITY_REQUIRE(std::filesystem::exists(run, ignored),
@@ -262,7 +262,7 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
                                  << run.string() << ", which is that at t = " << time
                                  << " s. Choose a later one.");
 
-  io::Archive archive;
+  Archive archive;
   archive.insert("warnings", checkpoint.child("warnings"));
   archive.set("state/time", clock.reaching(time));
   carryBody(other, state, other_domains.at("volume"), problem, domains.at("volume"), run, archive);
@@ -273,9 +273,9 @@ io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template io::Archive stateOfOtherRun(std::filesystem::path const&, Problem<Dim> const&,          \
-                                       Domains const&, ParameterList const&,                       \
-                                       dynamics::DyadicTime const&, double);
+  template Archive stateOfOtherRun(std::filesystem::path const&, Problem<Dim> const&,              \
+                                   Domains const&, ParameterList const&,                           \
+                                   dynamics::DyadicTime const&, double);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "base/Archive.hpp"
 #include "dynamics/DyadicTime.hpp"
-#include "io/Archive.hpp"
 #include "io/OutputDomain.hpp"
 #include "scenario/Problem.hpp"
 
@@ -24,8 +24,7 @@ namespace asperity::scenario
 // other one than a tenth of the element there, or if the time of the state is not before `end` [s].
 // Collective.
 template <int Dim>
-io::Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
-                            std::map<std::string, io::OutputDomain> const& domains,
-                            ParameterList const& deck, dynamics::DyadicTime const& clock,
-                            double end);
+Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
+                        std::map<std::string, io::OutputDomain> const& domains,
+                        ParameterList const& deck, dynamics::DyadicTime const& clock, double end);
 } // namespace asperity::scenario

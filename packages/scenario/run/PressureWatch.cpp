@@ -8,13 +8,13 @@
 
 namespace asperity::scenario
 {
-std::optional<Warning> PressureWatch::note(dynamics::State const& now, double time)
+void PressureWatch::note(dynamics::WatchedState const& now, dynamics::Notes& notes)
 {
   if (has_warned_ || fault_.laws().processes.empty()) {
-    return std::nullopt;
+    return;
   }
   auto const& surface = fault_.surface();
-  const ConstNodeView sigma_n = now.sigma_n, left = fault_.effectiveStress(now);
+  const ConstNodeView sigma_n = now.state.sigma_n, left = fault_.effectiveStress(now.state);
   auto const slides = surface.slidingNodes();
   int node = surface.numNodes(); // the first one, if there is one
   Kokkos::parallel_reduce(
@@ -28,17 +28,20 @@ std::optional<Warning> PressureWatch::note(dynamics::State const& now, double ti
   const int rank = communicator.getRank(), none = communicator.getSize();
   const int lowest = minOverRanks(is_here ? rank : none, communicator);
   if (lowest == none) {
-    return std::nullopt;
+    return;
   }
   has_warned_ = true;
   std::array<double, 3> place;
   place.fill(std::numeric_limits<double>::lowest());
   place = maxOverRanks(lowest == rank ? surface[node].place : place, communicator);
-  return Warning{"effective normal stress",
-                 "At t = " + formatShort(time) +
-                   " s a pressure on the fault has reached the normal stress, first at " +
-                   formatPoint({place[0], place[1], place[2]}) +
-                   ": friction is zero there, and the model does not let faults open. Check the "
-                   "initial pressure, the normal stress and the parameters of the fluid."};
+  notes.add(Warning{"effective normal stress",
+                    "At t = " + formatShort(now.time) +
+                      " s a pressure on the fault has reached the normal stress, first at " +
+                      formatPoint({place[0], place[1], place[2]}) +
+                      ": friction is zero there, and the model does not let faults open. Check the "
+                      "initial pressure, the normal stress and the parameters of the fluid."});
 }
 } // namespace asperity::scenario
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "pressure_watch",
+                  asperity::dynamics::WatchKindOf<asperity::scenario::PressureWatch>)

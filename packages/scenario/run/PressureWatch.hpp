@@ -1,24 +1,18 @@
 #pragma once
 
-#include "base/Warning.hpp"
-#include "dynamics/State.hpp"
-#include "dynamics/fault/Fault.hpp"
-
-#include <optional>
+#include "dynamics/control/Watch.hpp"
 
 namespace asperity::scenario
 {
 // Notes where processes on a fault, such as the pressure of a fluid, leave no normal stress to
 // friction.
-class PressureWatch
+class PressureWatch : public dynamics::Watch
 {
 public:
-  // The fault must outlive this.
-  explicit PressureWatch(dynamics::Fault const& fault) : fault_(fault) {}
+  explicit PressureWatch(dynamics::WatchContext const& context) : fault_(context.fault) {}
 
-  // Looks at the end of a step, at `time` [s]; a warning the first time that a node which slides
-  // has lost its normal stress. The same on all ranks. Collective.
-  std::optional<Warning> note(dynamics::State const& now, double time);
+  // Warns the first time that a node which slides has lost its normal stress.
+  void note(dynamics::WatchedState const& now, dynamics::Notes& notes) override;
 
 private:
   dynamics::Fault const& fault_;

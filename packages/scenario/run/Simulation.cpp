@@ -1,5 +1,6 @@
 #include "scenario/run/Simulation.hpp"
 
+#include "base/Archive.hpp"
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
@@ -10,7 +11,6 @@
 #include "catalogue/FaultFacts.hpp"
 #include "catalogue/receivers/OnFault.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
-#include "io/Archive.hpp"
 #include "io/OutputSet.hpp"
 #include "io/files/OutputDirectory.hpp"
 #include "io/files/RunRecord.hpp"
@@ -61,7 +61,7 @@ private:
   void write(io::StepInfo const& info);
   void tellProgress(io::StepInfo const& info);
   void writeCheckpoint();
-  void warnOfEvolution();
+  void watch();
   void endEarly(std::exception const& error);
   void saveWhatThereIs();
   void report(bool finished);
@@ -79,7 +79,7 @@ private:
   std::unique_ptr<io::OutputSet> outputs_;
   std::optional<Warning> unread_; // entries of the deck
   std::string restart_, restart_from_;
-  io::Archive start_; // of a restart, or the state of another run, until it begins
+  Archive start_; // of a restart, or the state of another run, until it begins
   Checkpoints checkpoints_;
 };
 } // namespace
@@ -252,12 +252,18 @@ int SimulationOf<Dim>::makeSteps(StopSignals const& signals)
 }
 
 template <int Dim>
-void SimulationOf<Dim>::warnOfEvolution()
+void SimulationOf<Dim>::watch()
 {
+  evolution_.watch();
   record_->at(evolution_.numSteps(), evolution_.time());
-  for (auto const& warning : evolution_.takeWarnings()) {
+  auto const notes = evolution_.takeNotes();
+  for (auto const& warning : notes.warnings) {
     record_->warn(warning);
   }
+  for (auto const& line : notes.lines) {
+    record_->message(line);
+  }
+  evolution_.watches().requireUse();
 }
 
 // If a single rank fails, the others wait in a collective operation. A checkpoint is collective,
@@ -306,11 +312,7 @@ void SimulationOf<Dim>::begin()
     }
     outputs_->write(evolution_.stepInfo());
   }
-  evolution_.watchRate();
-  evolution_.watchPressure();
-  evolution_.watchTension();
-  warnOfEvolution();
-  evolution_.requireLittleGrowth();
+  watch();
   if (evolution_.time() > evolution_.finalTime()) {
     record_->warn({"final time", "The results go on beyond 'Time Stepping / Final Time' = " +
                                    formatShort(evolution_.finalTime()) + " s: the state of " +
@@ -338,18 +340,8 @@ void SimulationOf<Dim>::advance()
   info.wall_time = record_->wallTime();
   write(info);
   step_is_complete_ = true;
-  record_->at(info.step, info.time);
-  evolution_.watchGrowth();
-  evolution_.watchRate();
-  evolution_.watchPressure();
-  evolution_.watchFront();
-  evolution_.watchTension();
-  warnOfEvolution();
-  evolution_.requireLittleGrowth();
+  watch();
   tellProgress(info);
-  if (const auto stall = evolution_.watchStall(); !stall.empty()) {
-    record_->message(stall);
-  }
 }
 
 template <int Dim>
@@ -377,7 +369,7 @@ void SimulationOf<Dim>::write(io::StepInfo const& info)
 template <int Dim>
 void SimulationOf<Dim>::writeCheckpoint()
 {
-  const auto save = [this](io::Archive& archive) {
+  const auto save = [this](Archive& archive) {
     outputs_->closeSegment();
     evolution_.save(archive);
     archive.insert("outputs", outputs_->save());
@@ -393,10 +385,12 @@ void SimulationOf<Dim>::report(bool finished)
   summary.finished = finished;
   summary.directory = directory_.string();
   record_->message(summarise(summary, outputs_->report()));
-  for (auto const& warning : {warnOfDefect(summary.energy), evolution_.tensionOfRun()}) {
-    if (warning) {
-      record_->warn(*warning);
-    }
+  auto warnings = evolution_.watches().warningsOfRun();
+  if (auto const warning = warnOfDefect(summary.energy)) {
+    warnings.push_back(*warning);
+  }
+  for (auto const& warning : warnings) {
+    record_->warn(warning);
   }
   if (auto const topics = record_->topics(); !topics.empty()) {
     record_->message(

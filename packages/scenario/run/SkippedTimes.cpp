@@ -44,6 +44,18 @@ SkippedTimes::SkippedTimes(ParameterList const& deck, std::vector<std::array<dou
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
 }
 
+SkippedTimes::SkippedTimes(dynamics::WatchContext const& context)
+    : SkippedTimes(context.deck, context.places_of_loads, context.fault.surface().communicator())
+{
+}
+
+void SkippedTimes::note(dynamics::WatchedState const& now, dynamics::Notes& notes)
+{
+  if (now.step) {
+    notes.add(note(now.time - now.step->size, now.time));
+  }
+}
+
 void SkippedTimes::collect(ParameterList const& list, std::string const& path)
 {
   for (auto const& each : list) {
@@ -105,3 +117,6 @@ bool SkippedTimes::isPassed(Pulse const& pulse, double begin, double end) const
   return maxOverRanks(outside, *communicator_) > share * maxOverRanks(largest, *communicator_);
 }
 } // namespace asperity::scenario
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "skipped_times",
+                  asperity::dynamics::WatchKindOf<asperity::scenario::SkippedTimes>)

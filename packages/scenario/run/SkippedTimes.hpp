@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "base/Warning.hpp"
+#include "dynamics/control/Watch.hpp"
 #include "parameters/Parameters.hpp"
 #include "parameters/fields/Expression.hpp"
 #include "scenario/Problem.hpp"
@@ -22,15 +22,18 @@ std::vector<std::array<double, 3>> placesOfLoads(Problem<Dim> const& problem);
 // seconds in a step of a day. Two kinds are found: a step passes two times with which expressions
 // of the deck compare t (timesComparedIn), or a time around which an expression is centred
 // (timesShiftedIn) and at which it is outside the range of its values at both ends of the step.
-class SkippedTimes
+class SkippedTimes : public dynamics::Watch
 {
 public:
   // deck: complete, its names replaced. places: this rank's, at which expressions are looked at.
   SkippedTimes(ParameterList const& deck, std::vector<std::array<double, 3>> places,
                RCP<const Communicator> communicator);
 
+  explicit SkippedTimes(dynamics::WatchContext const& context);
+
   // A warning of the first such step, from `begin` to `end` [s]. Collective.
   std::optional<Warning> note(double begin, double end);
+  void note(dynamics::WatchedState const& now, dynamics::Notes& notes) override;
 
 private:
   struct Pulse

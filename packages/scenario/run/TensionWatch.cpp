@@ -90,16 +90,15 @@ int firstWith(ConstNodeView const& values, double value)
 }
 } // namespace
 
-TensionWatch::TensionWatch(dynamics::Body const& body, dynamics::Fault const& fault,
-                           dynamics::ReactionSinceStart const& since_start)
-    : fault_(fault)
-    , since_start_(since_start)
-    , sigma_0_("asperity::scenario::sigma0", fault.surface().numNodes())
-    , R_("asperity::scenario::compression", fault.surface().numNodes())
+TensionWatch::TensionWatch(dynamics::WatchContext const& context)
+    : fault_(context.fault)
+    , since_start_(context.since_start)
+    , sigma_0_("asperity::scenario::sigma0", fault_.surface().numNodes())
+    , R_("asperity::scenario::compression", fault_.surface().numNodes())
 {
-  auto const& surface = fault.surface();
-  auto const load = body.vector();
-  body.load(0, *load);
+  auto const& surface = fault_.surface();
+  auto const load = context.body.vector();
+  context.body.load(0, *load);
   loads_ = maxOverRanks(largestShear(surface, *load), *surface.communicator());
   for (int node = 0; node < surface.numNodes(); ++node) {
     sliding_ += surface.slides(node) ? surface[node].weight : 0;
@@ -137,26 +136,25 @@ TensionWatch::Tension TensionWatch::tensionAt(Vector const& force, double time)
   return found;
 }
 
-std::optional<Warning> TensionWatch::note(Vector const& force, double time)
+void TensionWatch::note(dynamics::WatchedState const& watched, dynamics::Notes& notes)
 {
   if (!since_start_.reaction || !(sliding_ > 0)) {
-    return std::nullopt;
+    return;
   }
-  auto const now = tensionAt(force, time);
+  auto const now = tensionAt(watched.force, watched.time);
   most_.share = std::max(most_.share, now.share);
   if (now.share > 0 && now.largest > most_.largest) {
     most_.largest = now.largest;
     most_.time = now.time;
     most_.place = now.place;
   }
-  if (!(now.share > 2 * told_)) {
-    return std::nullopt;
+  if (now.share > 2 * told_) {
+    told_ = now.share;
+    notes.add(Warning{topic, "At t = " + formatShort(watched.time) + " s the body " + text(now)});
   }
-  told_ = now.share;
-  return Warning{topic, "At t = " + formatShort(time) + " s the body " + text(now)};
 }
 
-std::optional<Warning> TensionWatch::ofRun() const
+std::optional<Warning> TensionWatch::warningOfRun() const
 {
   if (!(most_.share > 0)) {
     return std::nullopt;
@@ -180,29 +178,32 @@ std::string TensionWatch::text(Tension const& of) const
          "Check the signs of loads and velocities, and the Normal Stress at the start.";
 }
 
-void TensionWatch::save(io::Archive& archive, std::string const& path) const
+void TensionWatch::save(Archive& archive) const
 {
-  archive.set(path + "/share", most_.share);
-  archive.set(path + "/largest", most_.largest);
-  archive.set(path + "/time", most_.time);
-  archive.set(path + "/told", told_);
+  archive.set("share", most_.share);
+  archive.set("largest", most_.largest);
+  archive.set("time", most_.time);
+  archive.set("told", told_);
   for (int d = 0; d < 3; ++d) {
-    archive.set(path + "/place_" + std::to_string(d), most_.place[d]);
+    archive.set("place_" + std::to_string(d), most_.place[d]);
   }
 }
 
 // Earlier versions save nothing of it.
-void TensionWatch::restore(io::Archive const& archive, std::string const& path)
+void TensionWatch::restore(Archive const& archive, Restart const&)
 {
-  if (!archive.has(path + "/share")) {
+  if (!archive.has("share")) {
     return;
   }
-  most_.share = archive.getDouble(path + "/share");
-  most_.largest = archive.getDouble(path + "/largest");
-  most_.time = archive.getDouble(path + "/time");
-  told_ = archive.getDouble(path + "/told");
+  most_.share = archive.getDouble("share");
+  most_.largest = archive.getDouble("largest");
+  most_.time = archive.getDouble("time");
+  told_ = archive.getDouble("told");
   for (int d = 0; d < 3; ++d) {
-    most_.place[d] = archive.getDouble(path + "/place_" + std::to_string(d));
+    most_.place[d] = archive.getDouble("place_" + std::to_string(d));
   }
 }
 } // namespace asperity::scenario
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "tension_watch",
+                  asperity::dynamics::WatchKindOf<asperity::scenario::TensionWatch>)

@@ -1,9 +1,6 @@
 #pragma once
 
-#include "base/Warning.hpp"
-#include "dynamics/fault/Fault.hpp"
-#include "dynamics/fault/NormalReaction.hpp"
-#include "io/Archive.hpp"
+#include "dynamics/control/Watch.hpp"
 
 #include <array>
 #include <memory>
@@ -17,25 +14,21 @@ namespace asperity::scenario
 // compression that the body exerts, whether the normal stress of friction follows it or is fixed.
 // It counts where it is above 1 % of the largest normal stress of the fault, and above 10 % of the
 // largest shear stress, of friction or of the loads at the start: cells leave errors of that size.
-class TensionWatch
+class TensionWatch : public dynamics::Watch
 {
 public:
-  // since_start: the reaction across the fault of this body, and R at the start; empty where none
-  // presses across the fault (antiplane motion, antisymmetric faults). The fault must outlive this.
-  // Collective.
-  TensionWatch(dynamics::Body const& body, dynamics::Fault const& fault,
-               dynamics::ReactionSinceStart const& since_start);
+  // Of the context, since_start is empty where nothing presses across the fault (antiplane motion,
+  // antisymmetric faults). Collective.
+  explicit TensionWatch(dynamics::WatchContext const& context);
 
-  // Looks at the end of a step, at `time` [s], where force(owned dofs) has the forces on the fault
-  // and the reactions of held dofs (EnergyBalance::force). A warning the first time, and whenever
-  // twice as much of the fault is in tension. The same on all ranks. Collective.
-  std::optional<Warning> note(Vector const& force, double time);
+  // Warns the first time, and whenever twice as much of the fault is in tension.
+  void note(dynamics::WatchedState const& watched, dynamics::Notes& notes) override;
 
-  // A warning of the whole run: the largest share and the largest tension, if there was any.
-  std::optional<Warning> ofRun() const;
+  // The largest share and the largest tension, if there was any.
+  std::optional<Warning> warningOfRun() const override;
 
-  void save(io::Archive& archive, std::string const& path) const;
-  void restore(io::Archive const& archive, std::string const& path);
+  void save(Archive& archive) const override;
+  void restore(Archive const& archive, Restart const&) override;
 
 private:
   struct Tension

@@ -148,7 +148,7 @@ public:
     std::transform(fields_.begin(), fields_.end(), values_.begin(),
                    [&](CellField const& field) { return field(place); });
     law_.complete(values_.data(), material);
-    if (law_.yield) {
+    if (law_.yields()) {
       yielding_.cells.push_back(place.cell);
       yielding_.parameters.insert(yielding_.parameters.end(), values_.begin(), values_.end());
     }
@@ -158,7 +158,7 @@ public:
   // The cells so far, if they yield.
   std::optional<fem::YieldingRock::Part> yielding() const
   {
-    return law_.yield
+    return law_.yields()
              ? std::optional<fem::YieldingRock::Part>({law_, yielding_.cells, yielding_.parameters})
              : std::nullopt;
   }
@@ -185,7 +185,7 @@ void refuseStressAtStart(ParameterList const& list)
   }
   std::vector<std::string> laws;
   for (auto const& name : fem::bulkLaws().names()) {
-    if (fem::bulkLaws().at(name).yield) {
+    if (fem::bulkLaws().at(name).yields()) {
       laws.push_back(name);
     }
   }

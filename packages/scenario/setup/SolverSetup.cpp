@@ -1,5 +1,6 @@
 #include "scenario/setup/SolverSetup.hpp"
 
+#include "parameters/Entries.hpp"
 #include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <limits>
@@ -14,7 +15,7 @@ long long largestDirect(int dimension) { return dimension == 2 ? 100000 : 10000;
 
 RCP<const ParameterList> solverParameters()
 {
-  auto list = tnnmg::TnnmgSettings::validParameters();
+  auto list = tnnmg::TnnmgSettings::entries().list();
   Declare(*list)
     .choice("Linear Correction", "Auto", {"Auto", "Direct", "MueLu"},
             "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
@@ -43,7 +44,7 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
                      << num_ranks << ". Choose MueLu or Auto.");
   tnnmg::MultigridCorrection::requireAccepted(list.sublist("MueLu Correction"));
   dynamics::RateSolverSettings settings;
-  settings.tnnmg = tnnmg::TnnmgSettings::from(list);
+  settings.tnnmg = tnnmg::TnnmgSettings::entries().read(list, "Asperity / TNNMG");
   const bool direct = choice == "Direct" || (choice == "Auto" && num_ranks == 1 &&
                                              num_unknowns <= largestDirect(dimension));
   settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;

@@ -1,6 +1,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 
 #include "dynamics/control/StepControlKind.hpp"
+#include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
@@ -19,12 +20,28 @@ double roundedDown(double value)
   return std::floor(value / unit) * unit;
 }
 
+struct Newmark
+{
+  double beta = 0.25;
+  double stability_limit = 0; // [s]; 0: not given
+};
+
+Entries<Newmark> newmarkEntries()
+{
+  return Entries<Newmark>()
+    .real("beta", &Newmark::beta, "-", Range::closed(0, 0.5),
+          "This is the weight of the new acceleration in the displacement. The scheme is "
+          "unconditionally stable from 1/4 on.")
+    .real("Stability Limit", &Newmark::stability_limit, "s", Range::atLeast(0),
+          "No stable step is larger than this, 1 / (omega_max sqrt(1/4 - beta)). It is required "
+          "for beta < 1/4, where the scheme is only conditionally stable.");
+}
+
 dynamics::RateUpdate newmark(ParameterList const& list)
 {
-  auto const& newmark = list.sublist("Newmark");
-  const double beta = newmark.get<double>("beta");
+  auto const [beta, limit] =
+    newmarkEntries().read(list.sublist("Newmark"), joinPath(time_path, "Newmark"));
   if (beta < 0.25) {
-    const double limit = newmark.get<double>("Stability Limit");
     const double largest = list.get<double>(largest_step);
     ASPERITY_REQUIRE(
       limit > 0,
@@ -36,18 +53,6 @@ dynamics::RateUpdate newmark(ParameterList const& list)
                                                  << " s that beta = " << beta << " needs.");
   }
   return dynamics::RateUpdate::newmark(beta);
-}
-
-RCP<const ParameterList> newmarkParameters()
-{
-  return Declare()
-    .real("beta", 0.25, "-", Range::closed(0, 0.5),
-          "This is the weight of the new acceleration in the displacement. The scheme is "
-          "unconditionally stable from 1/4 on.")
-    .real("Stability Limit", 0., "s", Range::atLeast(0),
-          "No stable step is larger than this, 1 / (omega_max sqrt(1/4 - beta)). It is required "
-          "for beta < 1/4, where the scheme is only conditionally stable.")
-    .list();
 }
 
 RCP<const ParameterList> generalisedAlphaParameters()
@@ -81,7 +86,7 @@ RCP<const ParameterList> timeParameters()
     .hint("Name the times at which a load changes faster than steps follow.")
     .choiceOfLists(
       "Scheme", "Newmark",
-      {{"Newmark", newmarkParameters()},
+      {{"Newmark", newmarkEntries().list()},
        {"Backward Euler", Declare().list()},
        {"Generalised Alpha", generalisedAlphaParameters()}},
       "Selects the scheme by which displacement and acceleration follow from the velocity. Newmark "

@@ -17,13 +17,13 @@ namespace
 // Held rows are decoupled and their residuals are zero, so their entries of the near null
 // space have no effect. The entries are made small but not zero, because MueLu refuses an aggregate
 // on which a vector vanishes, as between the nodes of a wall.
-RCP<const MultiVector> withTraceAt(MultiVector const& vectors, IndexView const& rows)
+RCP<const MultiVector> scaledAt(MultiVector const& vectors, IndexView const& rows)
 {
   constexpr double trace = 1e-8;
   const auto result = rcp(new MultiVector(vectors, Teuchos::Copy));
   const auto values = result->getLocalViewDevice(Tpetra::Access::ReadWrite);
   Kokkos::parallel_for(
-    "asperity::tnnmg::withTraceAt", RangePolicy(0, rows.extent_int(0)), KOKKOS_LAMBDA(int k) {
+    "asperity::tnnmg::scaledAt", RangePolicy(0, rows.extent_int(0)), KOKKOS_LAMBDA(int k) {
       for (int column = 0; column < values.extent_int(1); ++column) {
         values(rows(k), column) *= trace;
       }
@@ -69,7 +69,7 @@ struct MultigridCorrection::Implementation
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
-    if (parameters.cycle_by == Parameters::CycleBy::us) {
+    if (parameters.cycle == Parameters::CycleKind::own) {
       ours = rcp(new detail::OwnPreconditioner(hierarchy, weights, problem.Z, nodes));
       preconditioner = ours;
     } else {
@@ -122,8 +122,8 @@ Teuchos::RCP<const Teuchos::ParameterList> MultigridCorrection::validParameters(
 MultigridTerms::MultigridTerms(std::vector<MatrixSource> const& terms, MultigridProblem const& like,
                                Teuchos::ParameterList const& parameters)
     : hierarchy_(std::make_shared<detail::MultigridHierarchy>(
-        terms, like.components, withTraceAt(*like.near_null_space, like.held_rows), like.nodes.dofs,
-        detail::MultigridParameters(parameters, like.components).aggregation))
+        terms, like.components, scaledAt(*like.near_null_space, like.held_rows), like.nodes.dofs,
+        detail::MultigridParameters::from(parameters, like.components).aggregation))
 {
 }
 
@@ -132,7 +132,7 @@ MultigridCorrection::MultigridCorrection(MultigridProblem const& problem,
                                          MultigridTerms const& terms,
                                          std::vector<double> const& weights)
 {
-  const detail::MultigridParameters values(parameters, problem.components);
+  auto const values = detail::MultigridParameters::from(parameters, problem.components);
   auto const own =
     terms.empty() ? MultigridTerms({[&] { return problem.Z; }}, problem, parameters) : terms;
   implementation_ = std::make_unique<Implementation>(

@@ -1,6 +1,6 @@
 #include "tnnmg/multigrid/MultigridParameters.hpp"
 
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 
 #include <string>
@@ -16,7 +16,7 @@ bool isAboutCycle(std::string const& name)
 }
 
 // Throws InputError where an entry would change what is decided elsewhere.
-void check(ParameterList const& muelu, bool cycle_is_ours)
+void check(ParameterList const& muelu, bool is_own_cycle)
 {
   for (auto const& entry : muelu) {
     auto const& name = entry.first;
@@ -24,7 +24,7 @@ void check(ParameterList const& muelu, bool cycle_is_ours)
     ASPERITY_REQUIRE(name != "repartition: enable" && name != "reuse: type" &&
                        name != "number of equations",
                      path << " cannot be chosen: Asperity sets it. Remove it.");
-    ASPERITY_REQUIRE(!cycle_is_ours || !isAboutCycle(name),
+    ASPERITY_REQUIRE(!is_own_cycle || !isAboutCycle(name),
                      path << " cannot be chosen: of MueLu only the prolongators are used, and the "
                           << "V-cycle has smoothers and a coarse solver of its own. Remove it, or "
                           << "set 'MueLu Correction / Cycle' = MueLu.");
@@ -59,70 +59,75 @@ ParameterList forCycle(ParameterList const& given, int components)
   list.setParameters(given);
   return list;
 }
-} // namespace
-
-Teuchos::RCP<const ParameterList> MultigridParameters::valid()
+Entries<MultigridParameters> multigridEntries()
 {
-  return Declare()
-    .choice("Method", "CG", {"CG", "V-Cycles"},
+  using P = MultigridParameters;
+  P defaults;
+  defaults.aggregation.rows_per_rank = 1000;
+  Entries<P> result(defaults);
+  result
+    .choice("Method", &P::method,
+            {{"CG", P::Method::conjugate_gradients}, {"V-Cycles", P::Method::v_cycles}},
             "Selects how the correction is solved. CG: conjugate gradients use a V-cycle as "
             "preconditioner. V-Cycles: a few V-cycles are made, each with an optimal step length.")
-    .choice("Cycle", "Own", {"Own", "MueLu"},
+    .choice("Cycle", &P::cycle, {{"Own", P::CycleKind::own}, {"MueLu", P::CycleKind::muelu}},
             "Selects whose V-cycle it is. Own: Asperity's, in single precision. MueLu: that of "
             "Trilinos on the same prolongators, in double precision, with the smoothers and the "
             "coarse solver of the list MueLu; a reference, which costs more.")
-    .integer("Maximum Iterations", 200, Range::atLeast(1),
+    .integer("Maximum Iterations", &P::max_iterations, Range::atLeast(1),
              "Conjugate gradients make at most this number of iterations in one correction.")
-    .integer("V-Cycles", 1, Range::atLeast(1),
+    .integer("V-Cycles", &P::v_cycles, Range::atLeast(1),
              "With Method = V-Cycles one correction makes at most this number of cycles.")
-    .choice("Hierarchy", "Rebuild", {"Keep", "Rebuild"},
+    .choice("Hierarchy", &P::rebuilds, {{"Keep", false}, {"Rebuild", true}},
             "Selects whether the Hessians of friction are brought into the coarse levels when they "
             "change.")
-    .real("Outdated Share", 0.1, "-", Range::closedOpen(0, 1),
+    .real("Outdated Share", &P::outdated_share, "-", Range::closedOpen(0, 1),
           "The coarse levels are brought up to date when more than this share of the fault's nodes "
           "has become truncated, is no longer truncated, or has a Hessian that changed by more "
           "than a factor of three.")
     .hint("A larger share costs more iterations, a smaller one more updates.")
-    .integer("Rows per Rank", 1000, Range::atLeast(0),
-             "A coarse level with fewer rows per rank on average moves to fewer ranks, so that the "
-             "coarsest level does not grow with the number of ranks. With 0 all levels stay on all "
-             "ranks.")
-    .choice("Row Order", "Default", {"Default", "Chunks", "Colours"},
-            "Selects the order of the rows in sweeps. Chunks: each thread of the host takes rows "
-            "of nodes that lie together. Colours: rows that are not coupled are taken at the same "
-            "time. Default: Colours on a device, else Chunks.")
+    .integer(
+      "Rows per Rank", [](P & p) -> auto& { return p.aggregation.rows_per_rank; },
+      Range::atLeast(0),
+      "A coarse level with fewer rows per rank on average moves to fewer ranks, so that the "
+      "coarsest level does not grow with the number of ranks. With 0 all levels stay on all "
+      "ranks.")
+    .choice(
+      "Row Order", [](P & p) -> auto& { return p.aggregation.row_order; },
+      {{"Default", multigrid::defaultRowOrder()},
+       {"Chunks", multigrid::RowOrder::chunks},
+       {"Colours", multigrid::RowOrder::colours}},
+      "Selects the order of the rows in sweeps. Chunks: each thread of the host takes rows "
+      "of nodes that lie together. Colours: rows that are not coupled are taken at the same "
+      "time. Default: Colours on a device, else Chunks.");
+  result.others()
     .foreignSublist("MueLu", ParameterList("MueLu"),
                     "MueLu reads these entries, in its own spelling, when it makes the "
                     "prolongators, and its cycle. Each replaces one default.")
     .foreignSublist(
       "Belos", ParameterList("Belos"),
       "Belos reads these entries, in its own spelling, for its pseudo-block conjugate gradients, "
-      "which solve corrections to a relative residual below 1e-3; looser ones do not use Belos.")
-    .list();
+      "which solve corrections to a relative residual below 1e-3; looser ones do not use Belos.");
+  return result;
 }
+} // namespace
 
-MultigridParameters::MultigridParameters(ParameterList const& given, int components)
+Teuchos::RCP<const ParameterList> MultigridParameters::valid() { return multigridEntries().list(); }
+
+MultigridParameters MultigridParameters::from(ParameterList const& given, int components)
 {
   ParameterList list(given);
   completeAndValidate(list, *valid(), given.name());
-  method = list.get<std::string>("Method") == "CG" ? Method::conjugate_gradients : Method::v_cycles;
-  max_iterations = list.get<int>("Maximum Iterations");
-  v_cycles = list.get<int>("V-Cycles");
-  rebuilds = list.get<std::string>("Hierarchy") == "Rebuild";
-  outdated_share = list.get<double>("Outdated Share");
-  cycle_by = list.get<std::string>("Cycle") == "Own" ? CycleBy::us : CycleBy::muelu;
+  auto result = multigridEntries().read(list, given.name());
+  const bool is_own = result.cycle == CycleKind::own;
   auto const& muelu = list.sublist("MueLu");
-  check(muelu, cycle_by == CycleBy::us);
-  aggregation.muelu = forAggregation(muelu, components);
-  aggregation.keeps_prolongators = cycle_by == CycleBy::muelu;
-  if (cycle_by == CycleBy::muelu) {
-    muelu_cycle = forCycle(muelu, components);
+  check(muelu, is_own);
+  result.aggregation.muelu = forAggregation(muelu, components);
+  result.aggregation.keeps_prolongators = !is_own;
+  if (!is_own) {
+    result.muelu_cycle = forCycle(muelu, components);
   }
-  aggregation.rows_per_rank = list.get<int>("Rows per Rank");
-  if (auto const order = list.get<std::string>("Row Order"); order != "Default") {
-    aggregation.row_order =
-      order == "Chunks" ? multigrid::RowOrder::chunks : multigrid::RowOrder::colours;
-  }
-  belos = list.sublist("Belos");
+  result.belos = list.sublist("Belos");
+  return result;
 }
 } // namespace asperity::tnnmg::detail

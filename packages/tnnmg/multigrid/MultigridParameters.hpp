@@ -15,17 +15,17 @@ struct MultigridParameters
     conjugate_gradients,
     v_cycles
   };
-  enum class CycleBy
+  enum class CycleKind
   {
-    us,
+    own,
     muelu
   };
-  CycleBy cycle_by = CycleBy::us;
+  CycleKind cycle = CycleKind::own;
   Method method = Method::conjugate_gradients;
-  int max_iterations = 0;
-  int v_cycles = 0;
-  bool rebuilds = true;      // the coarse levels follow the Hessians
-  double outdated_share = 0; // of the nonlinear nodes
+  int max_iterations = 200;
+  int v_cycles = 1;
+  bool rebuilds = true;        // the coarse levels follow the Hessians
+  double outdated_share = 0.1; // of the nonlinear nodes
   Aggregation aggregation;
   Teuchos::ParameterList muelu_cycle; // complete, if the cycle is MueLu's
   Teuchos::ParameterList belos;
@@ -34,6 +34,6 @@ struct MultigridParameters
 
   // Throws InputError if the list is not valid. `components` is the number of displacement
   // components of a node.
-  MultigridParameters(Teuchos::ParameterList const& given, int components);
+  static MultigridParameters from(Teuchos::ParameterList const& given, int components);
 };
 } // namespace asperity::tnnmg::detail

@@ -60,10 +60,7 @@ void makeStep(scenario::Evolution<3>& evolution)
 {
   evolution.advance();
   evolution.account();
-  evolution.watchGrowth();
-  evolution.watchRate();
-  evolution.watchPressure();
-  evolution.watchStall();
+  evolution.watch();
 }
 
 // A kernel uses a vector, the host reads an entry, and all of it is copied to the host.

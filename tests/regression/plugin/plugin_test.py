@@ -125,6 +125,27 @@ class Run(unittest.TestCase):
     def test_on_two_ranks(self):
         self.check(ranks=2)
 
+    def test_a_control_goes_on_with_its_memory(self):
+        """It knows how many steps it has made of the present size."""
+        deck = [DECK, "--plugin", PLUGIN, *runs.settings(
+            "Time Stepping/Largest Step=1", "Time Stepping/Growing Steps/Steps of a Size=150",
+            "Output/Checkpoint Every n Steps=7")]
+        whole = asperity_run.run_to_end("grown", *deck)
+        sizes = [row["step_size"] for row in asperity_run.table(whole / "steps.csv")]
+        self.assertGreater(len(set(sizes)), 3)
+        folder = runs.fresh("grown_stopped")
+        runs.stop(self, runs.begin(folder, *deck))
+        self.assertLess(len(asperity_run.table(folder / "steps.csv")), len(sizes))
+        asperity_run.go_on(folder, *deck)
+        self.assertEqual([row["step_size"] for row in asperity_run.table(folder / "steps.csv")],
+                         sizes)
+
+    def test_a_watch_warns_once(self):
+        folder = asperity_run.run_to_end("watched", DECK, "--plugin", PLUGIN)
+        self.assertEqual((folder / "run.log").read_text().count("which is much for this body"), 1)
+        self.assertIn("'large slip'", (folder / "run.log").read_text())
+        self.assertEqual((folder / "run.jsonl").read_text().count('"topic": "large slip"'), 1)
+
     def test_a_restart_refuses_a_plugin_that_has_changed(self):
         plugin = pathlib.Path(shutil.copy(PLUGIN, "changed.so"))
         # Small steps, so that those which are cut short to end the first half matter less.
@@ -139,6 +160,76 @@ class Run(unittest.TestCase):
         plugin.write_bytes(content)
         asperity_run.go_on(folder, *deck, ranks=2)
         self.assert_exact_slip(folder)
+
+
+# A block under cyclic shear, of rock whose elastic range moves with its inelastic strain.
+CELL = asperity_run.SOURCE / "tests" / "verification" / "flow" / "cell.xml"
+SHEAR, RANGE, HARDENING = 1e6, 1e3, 5e5  # Pa
+CYCLES = {"Bulk/Law": "Kinematic Hardening", "Bulk/Elastic Range": RANGE,
+          "Bulk/Hardening Modulus": HARDENING, "Mesh/Rectangle/Cells X": 4,
+          "Boundary Conditions/Top/Velocity": "t < 4.01 || t > 12.01 && t < 20.01 ? 1e-3 : -1e-3",
+          "Time Stepping/Final Time": 28, "Time Stepping/Prescribed/Levels": "{3}",
+          "Output/Checkpoint Every n Steps": 5,
+          "Output/Receivers/Body Fields": "{stress, strain, back_stress, inelastic_shear}"}
+
+
+def hysteresis(strain):
+    """Stress and back stress [Pa] of the block at each strain gamma of a path [-]: the stress
+    follows the elastic line, and the lines b +- k + H gamma_p with slope G H / (G + H)."""
+    inelastic, stresses, centres = 0.0, [], []
+    for gamma in strain:
+        elastic = SHEAR * (gamma - inelastic)
+        over = abs(elastic - HARDENING * inelastic) - RANGE
+        if over > 0:
+            inelastic += math.copysign(over / (SHEAR + HARDENING),
+                                       elastic - HARDENING * inelastic)
+        stresses.append(SHEAR * (gamma - inelastic))
+        centres.append(HARDENING * inelastic)
+    return stresses, centres
+
+
+class RockWithHistory(unittest.TestCase):
+    def run_cycles(self, name, **options):
+        return asperity_run.run_to_end(name, CELL, "--plugin", PLUGIN, *runs.settings(CYCLES),
+                                       **options)
+
+    def assert_hysteresis(self, folder):
+        history = asperity_run.series(folder / "receivers.h5")
+        strain, stress, centre = (history[f"off_fault/fields/{name}"][:, 0, 1]
+                                  for name in ("strain", "stress", "back_stress"))
+        gamma = 2 * strain
+        expected, of_centre = hysteresis(gamma)
+        self.assertGreater(max(gamma), 3.5e-3)
+        self.assertLess(min(gamma), -3.5e-3)
+        for found, exact in ((stress, expected), (centre, of_centre)):
+            for one, other in zip(found, exact):
+                self.assertAlmostEqual(one, other, delta=1e-9 * SHEAR * max(gamma))
+        # Unlike isotropic hardening, a reversed stress yields after 2 k, below its former maximum.
+        turn = max(range(len(gamma)), key=lambda i: gamma[i])
+        down = [i for i in range(turn, len(gamma)) if gamma[i] < gamma[turn] - 2.1e-3]
+        self.assertLess(abs(centre[down[0]]), abs(centre[turn]) - 1e-3 * RANGE)
+        # Two and a half cycles: all inelastic shear adds up.
+        shear = history["off_fault/fields/inelastic_shear"][-1].ravel()[0]
+        path = [0.0, *(value / HARDENING for value in of_centre)]
+        self.assertAlmostEqual(shear, sum(abs(b - a) for a, b in zip(path, path[1:])),
+                               delta=1e-9)
+
+    def test_the_elastic_range_moves(self):
+        self.assert_hysteresis(self.run_cycles("cycles"))
+
+    def test_on_two_ranks(self):
+        self.assert_hysteresis(self.run_cycles("cycles_2", ranks=2))
+
+    def test_goes_on_with_its_history(self):
+        whole = self.run_cycles("whole")
+        half = asperity_run.run_to_end("half", CELL, "--plugin", PLUGIN, *runs.settings(
+            CYCLES, {"Time Stepping/Final Time": 16}))
+        asperity_run.go_on(half, CELL, "--plugin", PLUGIN, *runs.settings(CYCLES), ranks=2)
+        for name in ("stress", "back_stress"):
+            one, other = (asperity_run.series(folder / "receivers.h5")[f"off_fault/fields/{name}"]
+                          for folder in (whole, half))
+            self.assertEqual(one.shape, other.shape)
+            self.assertLess(abs(one - other).max(), 1e-12 * abs(one).max())
 
 
 class Parameters(unittest.TestCase):

@@ -9,15 +9,13 @@ using namespace asperity::friction;
 struct FragileLaw
 {
   static constexpr char const* name = "Fragile";
-  static constexpr Parameter parameters[] = {
-    {"Limit", "-", no_default, 0, infinity, false, false, "State beyond which there is none."}};
 
   double limit;
 
-  KOKKOS_INLINE_FUNCTION static FragileLaw load(ParameterView const& values, int node)
-  {
-    return {values(0, node)};
-  }
+  static constexpr ParameterOf<FragileLaw> parameters[] = {
+    {&FragileLaw::limit,
+     {"Limit", "-", no_default, 0, infinity, false, false, "State beyond which there is none."}}};
+
   KOKKOS_INLINE_FUNCTION double rate(double, double) const { return 1; }
   KOKKOS_INLINE_FUNCTION double flow(double, double dt, double alpha0) const
   {

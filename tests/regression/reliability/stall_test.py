@@ -21,7 +21,7 @@ class Stalls(unittest.TestCase):
         runs.assert_one_message(self, result, runs.SOLVE, "the last 120 steps",
                                 "did not meet the tolerance", "Most Forced Steps")
         log = (folder / "run.log").read_text()
-        self.assertIn("Warning: the last 100 steps", log)
+        self.assertIn("WARNING: The last 100 steps", log)
         self.assertIn("The run has ended: At t = ", log)
         self.assertEqual(len(asperity_run.table(folder / "steps.csv")), 120)
         self.assertTrue((folder / "checkpoint.h5").exists())
@@ -38,7 +38,7 @@ class Stalls(unittest.TestCase):
         folder = asperity_run.run_to_end("reference", *COARSE, *runs.settings(
             "Friction/Reference Slip Rate=1e10", "Time Stepping/Final Time=1",
             "Time Stepping/Most Forced Steps=150"))
-        self.assertNotIn("Warning", (folder / "run.log").read_text())
+        self.assertNotIn("WARNING: The last", (folder / "run.log").read_text())
         sizes = [row["step_size"] for row in asperity_run.table(folder / "steps.csv")]
         self.assertGreater(max(sizes), 100 * sizes[0])
 

@@ -1,11 +1,14 @@
 #pragma once
 
 #include "dynamics/control/AdaptiveSettings.hpp"
+#include "dynamics/control/StepControl.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace asperity::dynamics::testing
@@ -19,6 +22,24 @@ inline CouplingSettings coupling(double tolerance, int max_iterations)
   settings.max_iterations = max_iterations;
   return settings;
 }
+
+// States beside the archive.
+class StatesInMemory : public StateArchive
+{
+public:
+  void save(Archive& archive, std::string const& path, State const& state) const override
+  {
+    archive.set(path + "/time", state.time);
+    states_[path] = state.clone();
+  }
+  State load(Archive const&, std::string const& path) const override
+  {
+    return states_.at(path).clone();
+  }
+
+private:
+  mutable std::map<std::string, State> states_;
+};
 
 inline AdaptiveSettings adaptive(double tolerance, int first_level, int finest_level = 16)
 {
@@ -71,7 +92,9 @@ protected:
                               int num_steps)
   {
     SolveCount count;
-    continued.restore(control.memory());
+    Archive memory;
+    control.save(memory, states);
+    continued.restore(memory, states);
     auto copy = from.clone();
     for (int n = 0; n < num_steps; ++n) {
       auto const expected = control.advance(from, count);
@@ -173,5 +196,6 @@ protected:
   Model model;
   Stepper stepper;
   State state;
+  StatesInMemory states;
 };
 } // namespace asperity::dynamics::testing

@@ -48,9 +48,9 @@ TEST(GrowthWatch, BlamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
   ASSERT_TRUE(warning);
   test::expectParts(warning->text, {"1 step within the tolerance", "Choose a smaller 'Tolerance'"});
   EXPECT_TRUE(watch.note(step(true, 1e4, 1e-9, 2.8e-5))) << "forced steps are counted apart";
-  EXPECT_NO_THROW(watch.requireFew());
+  EXPECT_NO_THROW(watch.requireUse());
   watch.note(step(false, 1e4, 1e-9, 2.8e-5));
-  EXPECT_THROW(watch.requireFew(), SolveError);
+  EXPECT_THROW(watch.requireUse(), SolveError);
 }
 
 TEST(GrowthWatch, SeesGrowthOverManyForcedSteps)
@@ -73,9 +73,9 @@ TEST(GrowthWatch, EndsTheRunWithOneTooMany)
   GrowthWatch watch(L, 3);
   EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1)));
   EXPECT_FALSE(watch.note(step(true, 1, 1e-9, 1)));
-  EXPECT_NO_THROW(watch.requireFew());
+  EXPECT_NO_THROW(watch.requireUse());
   EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1))) << "what ends a run is a warning, too";
-  EXPECT_THROW(watch.requireFew(), SolveError);
+  EXPECT_THROW(watch.requireUse(), SolveError);
 }
 
 TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
@@ -90,18 +90,32 @@ TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
   EXPECT_EQ(before.memory().others, 2);
 
   GrowthWatch after(L, 3);
-  after.restore(before.memory());
-  EXPECT_NO_THROW(after.requireFew());
+  Archive memory;
+  before.save(memory);
+  after.restore(memory, {});
+  EXPECT_NO_THROW(after.requireUse());
   EXPECT_FALSE(after.note(step(true, 1e4, 1.5e-9, 2.1e-9)));
   EXPECT_EQ(after.memory().forced, 2) << "above twice the first rate, 1e-9";
   EXPECT_TRUE(after.note(step(true, 1e4, 2.1e-9, 2.2e-9)));
-  EXPECT_THROW(after.requireFew(), SolveError);
+  EXPECT_THROW(after.requireUse(), SolveError);
 
   GrowthWatch full(L, 2);
-  full.restore(before.memory());
-  test::expectRefusal<LostEarthquakes>([&] { full.requireFew(); },
+  full.restore(memory, {});
+  test::expectRefusal<LostEarthquakes>([&] { full.requireUse(); },
                                        {"2 steps before this restart", "a smaller 'Tolerance'",
                                         "begin a new run", "Most Hiding Steps"});
+}
+
+TEST(GrowthWatch, ForgetsForcedStepsWhereARestartHasSmallerSteps)
+{
+  GrowthWatch before(L, 0), after(L, 1);
+  before.note(step(true, 1, 1e-9, 1));
+  Archive memory;
+  before.save(memory);
+  after.restore(memory, {true});
+  EXPECT_EQ(after.memory().forced, 0);
+  EXPECT_LT(after.memory().least, 0);
+  EXPECT_NO_THROW(after.requireUse());
 }
 
 TEST(GrowthWatch, TakesPrescribedStepsForForcedAndEndsNoRun)
@@ -144,6 +158,6 @@ TEST(GrowthWatch, TellsOfSlowSlipOfMoreThanTwoL)
   EXPECT_EQ(warning->topic, "hidden growth");
   test::expectParts(warning->text, {"1 step", "4 s", "(8 L)", "Choose a smaller 'Tolerance'"});
   EXPECT_FALSE(watch.note(creep)) << "the 10th is the next";
-  EXPECT_NO_THROW(watch.requireFew());
+  EXPECT_NO_THROW(watch.requireUse());
 }
 } // namespace asperity::dynamics

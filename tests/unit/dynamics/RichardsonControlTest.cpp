@@ -73,7 +73,7 @@ TEST_F(RichardsonControlTest, AcceptsPairsOfStepsThatOneStepConfirms)
   for (int n = 0; n < 15; ++n) {
     auto const before = state.clone();
     const int predicted = control.memory().level;
-    const double last_error = control.memory().error;
+    const double last_error = control.lastPair().error;
     auto const first = control.advance(state, count);
     const int level = first.level;
     coarsest = std::min(coarsest, level);
@@ -96,9 +96,9 @@ TEST_F(RichardsonControlTest, AcceptsPairsOfStepsThatOneStepConfirms)
     EXPECT_TRUE(second.within_tolerance);
 
     // What the next prediction is made from; the older error as if the steps had been equal.
-    EXPECT_EQ(control.memory().previous_error, std::ldexp(last_error, 3 * (predicted - level)));
-    EXPECT_EQ(control.memory().before->time, before.time);
-    EXPECT_EQ(control.memory().level_before, level);
+    EXPECT_EQ(control.lastPair().previous_error, std::ldexp(last_error, 3 * (predicted - level)));
+    EXPECT_EQ(control.lastPair().before->time, before.time);
+    EXPECT_EQ(control.lastPair().level, level);
   }
   EXPECT_GE(finest - coarsest, 2) << "the run was meant to need several step sizes";
 }
@@ -138,10 +138,11 @@ TEST_F(RichardsonControlTest, HalvesUntilThePairIsFineEnough)
 {
   const double tolerance = 1e-4;
   auto control = this->control(adaptive(tolerance, 2));
-  ControlMemory memory;
-  memory.level = 2;
-  memory.error = 0.5; // of a pair before
-  control.restore(memory);
+  Archive memory;
+  control.save(memory, states);
+  memory.set("level", 2);
+  memory.set("error", 0.5); // of a pair before
+  control.restore(memory, states);
   auto const before = state.clone();
   const int level = control.advance(state, count).level;
   ASSERT_GT(level, 4) << "the first step was meant to be far too large";
@@ -149,7 +150,7 @@ TEST_F(RichardsonControlTest, HalvesUntilThePairIsFineEnough)
   EXPECT_GT(errorOf(before, level - 2) / 3, tolerance);
   EXPECT_LE(difference(state, stepped(before, {level})), 1e-10);
   EXPECT_EQ(count.coupled_steps, 3 + 2 * (level - 2));
-  EXPECT_EQ(control.memory().previous_error, std::ldexp(0.5, 3 * (2 - level)));
+  EXPECT_EQ(control.lastPair().previous_error, std::ldexp(0.5, 3 * (2 - level)));
 }
 
 // The largest pair whose steps, solved from their begin, meet the tolerance; guesses that come from
@@ -295,20 +296,22 @@ class RichardsonPrediction : public RichardsonControlTest,
 TEST_P(RichardsonPrediction, ComesFromTheErrorAndItsTrend)
 {
   auto const& given = GetParam();
-  ControlMemory memory;
-  memory.level = 9;
-  memory.error = given.error;
-  memory.previous_error = given.previous_error;
-  memory.trial = Trial{state.clone(), 4}; // the second step of the pair
   auto control = this->control(adaptive(1e-4, 9));
-  control.restore(memory);
+  Archive memory;
+  control.save(memory, states);
+  memory.set("level", 9);
+  memory.set("error", given.error);
+  memory.set("previous_error", given.previous_error);
+  memory.set("trial/iterations", 4); // the second step of the pair
+  states.save(memory, "trial/state", state);
+  control.restore(memory, states);
   auto const accepted = control.advance(state, count);
   EXPECT_EQ(accepted.level, 9);
   EXPECT_EQ(accepted.error, given.error);
   EXPECT_EQ(accepted.iterations, 4);
   EXPECT_EQ(control.memory().level, given.level);
   // The error that the pair would have had at the next level.
-  EXPECT_DOUBLE_EQ(control.memory().error, std::ldexp(given.error, 3 * (9 - given.level)));
+  EXPECT_DOUBLE_EQ(control.lastPair().error, std::ldexp(given.error, 3 * (9 - given.level)));
   EXPECT_FALSE(control.memory().trial);
   EXPECT_EQ(count.coupled_steps, 0);
 }
@@ -329,15 +332,17 @@ TEST_F(RichardsonControlTest, PredictionsStayBetweenTheLevelsAllowed)
   for (double error : {1e-9, 1.}) {
     auto settings = adaptive(1e-4, 9, 9);
     settings.coarsest_level = 8;
-    ControlMemory memory;
-    memory.level = 9;
-    memory.error = error;
-    memory.trial = Trial{state.clone(), 1};
     auto control = this->control(settings);
-    control.restore(memory);
+    Archive memory;
+    control.save(memory, states);
+    memory.set("level", 9);
+    memory.set("error", error);
+    memory.set("trial/iterations", 1);
+    states.save(memory, "trial/state", state);
+    control.restore(memory, states);
     control.advance(state, count);
     EXPECT_EQ(control.memory().level, 9);
-    EXPECT_EQ(control.memory().error, error);
+    EXPECT_EQ(control.lastPair().error, error);
   }
 }
 

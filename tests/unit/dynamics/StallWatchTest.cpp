@@ -14,22 +14,52 @@ constexpr StallWatch::Step forced{true, true, 100, 1e-3, 50};
 TEST(StallWatch, EndsARunOfForcedStepsAlone)
 {
   StallWatch watch(3);
-  EXPECT_EQ(watch.note(forced), "");
-  EXPECT_EQ(watch.note(forced), "");
+  Notes notes;
   auto sound = forced;
   sound.is_forced = false;
-  EXPECT_EQ(watch.note(sound), "");
-  EXPECT_EQ(watch.memory().forced, 0);
-  EXPECT_EQ(watch.memory().smallest, 3);
+  for (auto const& step : {forced, forced, sound, forced, forced}) {
+    watch.note(step, notes);
+    EXPECT_NO_THROW(watch.requireUse());
+  }
+  watch.note(forced, notes);
+  test::expectRefusal<SolveError>([&] { watch.requireUse(); },
+                                  {"the last 3 steps", "Most Forced Steps"});
+  EXPECT_TRUE(notes.warnings.empty() && notes.lines.empty());
+}
+
+TEST(StallWatch, WarnsOfForcedStepsAndTellsOfSmallOnes)
+{
+  StallWatch watch(0);
+  Notes notes;
+  for (int i = 0; i < 100; ++i) {
+    watch.note(forced, notes);
+  }
+  ASSERT_EQ(notes.warnings.size(), 1);
+  EXPECT_EQ(notes.warnings.front().topic, "forced steps");
+  test::expectParts(notes.warnings.front().text, {"The last 100 steps", "0.001 s"});
+  auto sound = forced;
+  sound.is_forced = false;
+  for (int i = 100; i < 1000; ++i) {
+    watch.note(sound, notes);
+  }
+  EXPECT_EQ(notes.warnings.size(), 1);
+  ASSERT_EQ(notes.lines.size(), 1);
+  test::expectParts(notes.lines.front(), {"The last 1000 steps had the smallest size", "50000"});
 }
 
 TEST(StallWatch, GoesOnFromTheCountsOfAnEarlierRun)
 {
-  StallWatch before(3), after(3);
-  before.note(forced);
-  before.note(forced);
-  after.restore(before.memory());
-  test::expectRefusal<SolveError>([&] { after.note(forced); },
-                                  {"the last 3 steps", "Most Forced Steps"});
+  StallWatch before(3), after(3), finer(3);
+  Notes notes;
+  before.note(forced, notes);
+  before.note(forced, notes);
+  Archive memory;
+  before.save(memory);
+  after.restore(memory, {});
+  after.note(forced, notes);
+  EXPECT_THROW(after.requireUse(), SolveError);
+  finer.restore(memory, {true});
+  finer.note(forced, notes);
+  EXPECT_NO_THROW(finer.requireUse());
 }
 } // namespace asperity::dynamics

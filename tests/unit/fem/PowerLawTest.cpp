@@ -43,9 +43,21 @@ std::vector<double> after(double step, double A, double n, std::vector<double> c
   auto const no_modulus = toDevice(none, "none");
   bulkLaws()
     .at("Power Law")
-    .yield({toDevice(numbers, "cells"), rowsOf(parameters, 2), moduli, no_modulus,
-            rowsOf(stress, 2), no_modulus, zero, zero, no_shear, step, inelastic, gamma,
-            NodeView("trial", size)});
+    .make_kernel(rowsOf(parameters, 2))({toDevice(numbers, "cells"),
+                                         moduli,
+                                         no_modulus,
+                                         rowsOf(stress, 2),
+                                         no_modulus,
+                                         zero,
+                                         zero,
+                                         no_shear,
+                                         {},
+                                         0,
+                                         step,
+                                         inelastic,
+                                         gamma,
+                                         {},
+                                         NodeView("trial", size)});
   auto const e = toHost(ConstTensorView(inelastic));
   std::vector<double> result;
   for (int cell = 0; cell < size; ++cell) {

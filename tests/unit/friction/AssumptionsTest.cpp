@@ -3,6 +3,7 @@
 #include "friction/laws/SlipLaw.hpp"
 #include "friction/laws/TruncatedLaw.hpp"
 #include "unit/friction/Reference.hpp"
+#include "unit/friction/Views.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace asperity::friction::test
 {
 namespace
 {
-const StateParameters state{2e-5, 5e-5, std::log(5e-5)};
+const auto state = lawWith<StateParameters>({{"L", 2e-5}, {"Reference Slip Rate", 5e-5}});
 
 class Samples
 {
@@ -34,7 +35,7 @@ template <class Law>
 class AssumptionsTest : public ::testing::Test
 {
 protected:
-  const Law law{{0.01, 0.015, std::log(1e-6), 0.6}};
+  const Law law = lawWith<Law>({{"a", 0.01}, {"b", 0.015}});
   Samples samples;
 };
 
@@ -64,7 +65,7 @@ TYPED_TEST(AssumptionsTest, CoefficientIsLipschitzInTheState)
     const double V = this->samples.rate();
     const double alpha = this->samples.alpha(), beta = this->samples.alpha();
     const double change = this->law.at(alpha).mu(V) - this->law.at(beta).mu(V);
-    EXPECT_LE(std::abs(change), this->law.effect.b * std::abs(alpha - beta) + 1e-14);
+    EXPECT_LE(std::abs(change), this->law.b * std::abs(alpha - beta) + 1e-14);
   }
 }
 

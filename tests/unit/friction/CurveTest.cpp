@@ -1,6 +1,7 @@
 #include "friction/laws/RegularisedLaw.hpp"
 #include "friction/laws/TruncatedLaw.hpp"
 #include "unit/friction/Reference.hpp"
+#include "unit/friction/Views.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,11 @@ protected:
 
   static typename Law::Curve curve(ReferenceLaw const& law, double alpha)
   {
-    return Law{{law.a, law.b, std::log(law.reference_slip_rate), law.reference_friction}}.at(alpha);
+    return lawWith<Law>({{"a", law.a},
+                         {"b", law.b},
+                         {"Reference Slip Rate", law.reference_slip_rate},
+                         {"Reference Friction Coefficient", law.reference_friction}})
+      .at(alpha);
   }
 };
 
@@ -141,7 +146,7 @@ TEST(AsinhHalfExp, IsStableFromMinusToPlusTenThousand)
 
 TEST(TruncatedLaw, KnowsItsKink)
 {
-  const auto curve = TruncatedLaw{{0.01, 0.015, std::log(1e-6), 0.6}}.at(-10);
+  const auto curve = lawWith<TruncatedLaw>({{"a", 0.01}, {"b", 0.015}}).at(-10);
   const double kink = 1e-6 * std::exp(-(0.6 - 0.15) / 0.01); // V_alpha
   EXPECT_TRUE(curve.kinkedAt(kink));
   EXPECT_FALSE(curve.kinkedAt(kink * (1 + 1e-10)));

@@ -2,6 +2,7 @@
 #include "friction/laws/RegularisedLaw.hpp"
 #include "friction/laws/SlipLaw.hpp"
 #include "unit/friction/Reference.hpp"
+#include "unit/friction/Views.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,13 +24,21 @@ constexpr double weakened_friction = 0.2;
 template <class Law>
 Law lawOf(Rock const& rock)
 {
-  return {{rock.a, b, L, std::log(reference_rate), reference_friction, weakened_friction,
-           std::log(rock.weakening_rate)}};
+  return lawWith<Law>({{"a", rock.a},
+                       {"b", b},
+                       {"L", L},
+                       {"Reference Slip Rate", reference_rate},
+                       {"Reference Friction Coefficient", reference_friction},
+                       {"Weakened Friction Coefficient", weakened_friction},
+                       {"Weakening Slip Rate", rock.weakening_rate}});
 }
 
 RegularisedLaw frictionOf(Rock const& rock)
 {
-  return {{rock.a, b, std::log(reference_rate), reference_friction}};
+  return lawWith<RegularisedLaw>({{"a", rock.a},
+                                  {"b", b},
+                                  {"Reference Slip Rate", reference_rate},
+                                  {"Reference Friction Coefficient", reference_friction}});
 }
 
 Real shareOf(StrongRateWeakeningLaw const&, Real ratio)
@@ -85,7 +94,7 @@ TYPED_TEST(RateWeakeningTest, IsTheSlipLawFarBelowTheWeakeningSlipRate)
 {
   for (auto const& rock : rocks) {
     const auto law = lawOf<TypeParam>(rock);
-    const SlipLaw slip{{L, reference_rate, std::log(reference_rate)}};
+    const auto slip = lawWith<SlipLaw>({{"L", L}, {"Reference Slip Rate", reference_rate}});
     for (const double V : {0.0, 1e-300, 1e-200, 1e-60, 1e-16, 1e-9, 1e-5}) {
       EXPECT_EQ(law.steadyState(V), slip.steadyState(V));
       EXPECT_EQ(law.flow(V, 1e3, 17), slip.flow(V, 1e3, 17));

@@ -85,8 +85,21 @@ TEST(Table, RefusesWhatIsNoFunction)
 
 // SCEC's TPV103.
 constexpr double a = 0.01, b = 0.014, L = 0.4, V_ref = 1e-6, mu_ref = 0.6;
-const StrongRateWeakeningLaw weakening{{{a, b, L, std::log(V_ref), mu_ref}, 0.2, std::log(0.1)}};
-const RegularisedLaw friction_law{{a, b, std::log(V_ref), mu_ref}};
+const std::map<std::string, double> common = {{"a", a},
+                                              {"b", b},
+                                              {"L", L},
+                                              {"Reference Slip Rate", V_ref},
+                                              {"Reference Friction Coefficient", mu_ref}};
+// f_w = 0.2 and V_w = 0.1 m/s are the defaults.
+const auto weakening = lawWith<StrongRateWeakeningLaw>(common);
+const auto friction_law = lawWith<RegularisedLaw>(common);
+
+TabulatedLaw tabulated(Table const& table)
+{
+  auto law = lawWith<TabulatedLaw>(common);
+  law.table = table;
+  return law;
+}
 
 // Its steady friction in steps of h in log10 V, as a table.
 HostTable sampled(double h)
@@ -104,7 +117,7 @@ HostTable sampled(double h)
 double errorOf(double h)
 {
   const auto table = sampled(h);
-  const TabulatedLaw law{a, b, L, std::log(V_ref), mu_ref, table.get()};
+  const auto law = tabulated(table.get());
   double result = 0;
   for (const double at : range(-16.9, 1.9, 30011)) {
     const double V = std::pow(10, at);
@@ -124,7 +137,7 @@ TEST(Tabulated, IsTheLawOfWhichItIsATable)
 TEST(Tabulated, FlowsTowardsItsSteadyState)
 {
   const auto table = sampled(0.1);
-  const TabulatedLaw law{a, b, L, std::log(V_ref), mu_ref, table.get()};
+  const auto law = tabulated(table.get());
   for (const double V : {1e-16, 1e-6, 0.2, 5.0}) {
     const double steady = law.steadyState(V), dt = 0.3 * L / V;
     EXPECT_NEAR(law.flow(V, dt, steady + 2), steady + 2 * std::exp(-0.3), 1e-12);
@@ -139,7 +152,7 @@ TEST(Tabulated, IsMadeOfATable)
   EXPECT_THROW(makeStateKernels("Tabulated", parameters), std::invalid_argument);
   const Values x{-9, 0}, f{0.7, 0.4};
   const HostTable table(x, f);
-  const TabulatedLaw law{a, b, L, std::log(V_ref), mu_ref, table.get()};
+  const auto law = tabulated(table.get());
   const auto kernels = makeStateKernels("Tabulated", parameters, makeTable(x, f));
   const NodeView alpha("alpha", 2);
   kernels->steadyState(toDevice(Values{1e-7, 1e-3}), alpha);

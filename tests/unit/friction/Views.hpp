@@ -1,8 +1,11 @@
 #pragma once
 
+#include "friction/Parameter.hpp"
 #include "friction/Types.hpp"
 
+#include <map>
 #include <numeric>
+#include <string>
 #include <vector>
 
 // Between vectors on the host and views on the device.
@@ -38,6 +41,18 @@ inline ParameterView parametersOf(std::vector<Values> const& nodes)
   }
   Kokkos::deep_copy(view, host);
   return view;
+}
+
+// The law with these parameters by name, and the defaults for the others.
+template <class Law>
+Law lawWith(std::map<std::string, double> const& given)
+{
+  Values values;
+  for (auto const& row : Law::parameters) {
+    auto const found = given.find(row.parameter.name);
+    values.push_back(found == given.end() ? row.parameter.default_value : found->second);
+  }
+  return loadLaw<Law>(values.data());
 }
 
 inline IndexView allNodes(int num_nodes)

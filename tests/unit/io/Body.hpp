@@ -62,7 +62,7 @@ struct Body
 inline void checkpoint(io::OutputSet& outputs, std::filesystem::path const& directory)
 {
   outputs.closeSegment();
-  io::Archive archive;
+  Archive archive;
   archive.insert("outputs", outputs.save());
   io::writeCheckpoint(directory / "checkpoint.h5", archive,
                       io::Fingerprint{{{"Asperity", "deck", ""}}}, *world());

@@ -10,7 +10,6 @@
 #include <cstring>
 
 using namespace asperity;
-using io::Archive;
 using test::world;
 
 namespace
@@ -60,7 +59,7 @@ protected:
 TEST_F(Checkpoint, ReadsBackBitForBit)
 {
   const Archive copy = io::readCheckpoint(file, deck(), *world());
-  EXPECT_EQ(io::Archive(copy).values(), stateOfRank().values());
+  EXPECT_EQ(Archive(copy).values(), stateOfRank().values());
   EXPECT_TRUE(std::signbit(copy.get<std::vector<double>>("state/alpha")[0]));
 }
 
@@ -211,9 +210,9 @@ TEST_F(Checkpoint, OtherVersionIsRefused)
 namespace
 {
 // Of 10 nodes a rank has those for which number % parts == rank, from the last one down if asked.
-io::NodeSets nodesOfRank(int parts, bool is_reversed = false)
+NodeSets nodesOfRank(int parts, bool is_reversed = false)
 {
-  io::NodeSets sets{{"body", {}}, {"none", {}}};
+  NodeSets sets{{"body", {}}, {"none", {}}};
   for (int node = 0; node < 10; ++node) {
     if (node % parts == world()->getRank()) {
       sets["body"].push_back(node);
@@ -225,7 +224,7 @@ io::NodeSets nodesOfRank(int parts, bool is_reversed = false)
   return sets;
 }
 
-Archive atNodes(io::NodeSets const& sets)
+Archive atNodes(NodeSets const& sets)
 {
   std::vector<double> values;
   std::vector<std::int64_t> marks;

@@ -43,7 +43,7 @@ TEST(RunJournal, WritesALineForEachEvent)
 TEST(RunRecord, ARestartRepeatsTheWarningsOfTheRunBeforeUnlessTheyAreNewAgain)
 {
   test::TemporaryDirectory directory;
-  io::Archive archive, of_restart;
+  Archive archive, of_restart;
   {
     io::RunRecord before(directory.path(), false, *world());
     before.warn({"cohesive zone", "few cells."});
@@ -79,7 +79,7 @@ TEST(RunRecord, ARestartRepeatsTheWarningsOfTheRunBeforeUnlessTheyAreNewAgain)
 TEST(RunRecord, ReadsCheckpointsWithoutWarnings)
 {
   test::TemporaryDirectory directory;
-  io::Archive archive, without;
+  Archive archive, without;
   io::RunRecord record(directory.path(), false, *world());
   record.save(archive);
   for (auto const& [path, value] : archive.values()) {

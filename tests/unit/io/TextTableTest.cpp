@@ -4,7 +4,6 @@
 #include <limits>
 
 using namespace asperity;
-using io::Archive;
 using io::TextTable;
 using test::world;
 

@@ -159,7 +159,7 @@ TEST(TimeLeft, IsUnknownInTheFirstEvent)
   ++run.num_events;
   run.go(1e-9, 200, 100);
   EXPECT_FALSE(run.left.estimate(1));
-  asperity::io::Archive archive;
+  asperity::Archive archive;
   run.left.save(archive);
   TimeLeft restarted;
   restarted.restore(archive);
@@ -196,7 +196,7 @@ TEST(TimeLeft, KnowsAfterARestartWhatItKnewAtTheCheckpoint)
   Simulated run;
   goThroughCycles(run, 0.3, [&](double, int cycles_done) {
     if (cycles_done > 0) {
-      asperity::io::Archive archive;
+      asperity::Archive archive;
       run.left.save(archive);
       TimeLeft restarted;
       restarted.restore(archive);

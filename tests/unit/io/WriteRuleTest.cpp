@@ -97,7 +97,7 @@ TEST(WriteRule, ARestartGoesOnAlike)
   for (std::size_t stop = 1; stop < rates.size(); ++stop) {
     WriteRule before(list), after(list);
     Rows written = rows(before, rates, 0, stop);
-    io::Archive archive;
+    Archive archive;
     before.save(archive);
     after.restore(archive);
     for (const int row : rows(after, rates, stop, rates.size())) {

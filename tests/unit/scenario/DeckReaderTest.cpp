@@ -21,51 +21,53 @@ using asperity::test::TemporaryDirectory;
 namespace
 {
 // Somebody else's laws. They do what the ageing law does.
-template <class Law>
 struct AgeingLike
 {
-  friction::AgeingLaw ageing;
+  double slip_distance, reference_rate;
 
-  KOKKOS_INLINE_FUNCTION static Law load(friction::ParameterView const& table, int node)
+  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {
-    Law law;
-    law.ageing = friction::AgeingLaw::load(table, node);
-    return law;
+    return (reference_rate * math::exp(-alpha) - V) / slip_distance;
   }
-  KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const { return ageing.rate(V, alpha); }
-  KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
+  KOKKOS_INLINE_FUNCTION double flow(double, double, double alpha0) const { return alpha0; }
+  KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
-    return ageing.flow(V, dt, alpha0);
+    return -math::log(V / reference_rate);
   }
-  KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return ageing.steadyState(V); }
 };
 
+constexpr friction::Parameter slip_distance = {
+  "L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."};
+
 // With a parameter that no other law has; it does not say what its theta is.
-struct SlowAgeingLaw : AgeingLike<SlowAgeingLaw>
+struct SlowAgeingLaw : AgeingLike
 {
   static constexpr char const* name = "Slow Ageing";
-  static constexpr friction::Parameter parameters[] = {
-    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
-    friction::reference_slip_rate,
-    {"Delay", "s", 7, 0, 100, true, false, "How late it is."}};
+  double delay;
+  static constexpr ParameterOf<SlowAgeingLaw> parameters[] = {
+    {&SlowAgeingLaw::slip_distance, scenario::slip_distance},
+    {&SlowAgeingLaw::reference_rate, friction::parameter::reference_slip_rate},
+    {&SlowAgeingLaw::delay, {"Delay", "s", 7, 0, 100, true, false, "How late it is."}}};
 };
 
 // Its reference rate has a narrower range than that of the friction laws.
-struct NarrowAgeingLaw : AgeingLike<NarrowAgeingLaw>
+struct NarrowAgeingLaw : AgeingLike
 {
   static constexpr char const* name = "Narrow Ageing";
-  static constexpr friction::Parameter parameters[] = {
-    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
-    {"Reference Slip Rate", "m/s", 1e-6, 1e-7, 1e-5, true, true, "Slip rate of reference."}};
+  static constexpr ParameterOf<AgeingLike> parameters[] = {
+    {&AgeingLike::slip_distance, scenario::slip_distance},
+    {&AgeingLike::reference_rate,
+     {"Reference Slip Rate", "m/s", 1e-6, 1e-7, 1e-5, true, true, "Slip rate of reference."}}};
 };
 
 // Contradicts the friction laws.
-struct ForeignAgeingLaw : AgeingLike<ForeignAgeingLaw>
+struct ForeignAgeingLaw : AgeingLike
 {
   static constexpr char const* name = "Foreign Ageing";
-  static constexpr friction::Parameter parameters[] = {
-    {"L", "m", friction::no_default, 0, friction::infinity, false, false, "Slip distance."},
-    {"Reference Slip Rate", "m/s", -1, -2, 0, true, false, "Slip rate of reference."}};
+  static constexpr ParameterOf<AgeingLike> parameters[] = {
+    {&AgeingLike::slip_distance, scenario::slip_distance},
+    {&AgeingLike::reference_rate,
+     {"Reference Slip Rate", "m/s", -1, -2, 0, true, false, "Slip rate of reference."}}};
 };
 } // namespace
 } // namespace asperity::scenario

@@ -4,6 +4,7 @@
 #include "dynamics/control/StepControl.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -193,43 +194,45 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
   expectRefusal([&] { control({-1}); }, {"Prescribed / Levels", "-1"});
 }
 
+TEST(RunArchive, TurnsTimesOfAnotherSmallestStepIntoItsOwn)
+{
+  auto const problem = makeProblem<2>(column(), world());
+  auto state = problem.initial.clone();
+  state.time = 3;
+  Archive archive;
+  StateFormat(problem, nullptr, dynamics::DyadicTime(1, 10)).save(archive, "state", state);
+  EXPECT_EQ(
+    StateFormat(problem, nullptr, dynamics::DyadicTime(1, 12), 10).load(archive, "state").time, 12);
+  expectRefusal(
+    [&] { StateFormat(problem, nullptr, dynamics::DyadicTime(1, 9), 10).load(archive, "state"); },
+    {"between two steps of the smallest size", "--restart-from"});
+}
+
 TEST(RunArchive, ReturnsWhatWasSaved)
 {
   auto problem = makeProblem<2>(column(), world());
-  dynamics::ControlMemory memory;
-  memory.level = 3;
-  memory.num_steps = 17;
-  memory.trial = dynamics::Trial{problem.initial.clone(), 5};
-  memory.trial->state.time = 1234567890123456789;
-  memory.trial->state.v->putScalar(1e-300);
-  Kokkos::deep_copy(memory.trial->state.alpha, -0.1);
+  auto state = problem.initial.clone();
+  state.time = 1234567890123456789;
+  state.v->putScalar(1e-300);
+  Kokkos::deep_copy(state.alpha, -0.1);
   // A field that a model adds is saved like the others.
   const dynamics::FieldInfo pressure = {"p", "pressure", "Pa"};
-  for (auto* state : {&problem.initial, &memory.trial->state}) {
+  for (auto* each : {&problem.initial, &state}) {
     const NodeView p("asperity::test::p", problem.initial.alpha.extent(0));
-    state->added.push_back({std::make_shared<const dynamics::FieldInfo>(pressure), p});
+    each->added.push_back({std::make_shared<const dynamics::FieldInfo>(pressure), p});
   }
-  Kokkos::deep_copy(memory.trial->state.added[0].values, 4e6);
-  io::Archive archive;
+  Kokkos::deep_copy(state.added[0].values, 4e6);
+  Archive archive;
   const StateFormat format(problem, nullptr, dynamics::DyadicTime(1, 10));
-  format.save(archive, "control", memory);
-  const auto read = format.loadControl(archive, "control");
-  EXPECT_EQ(read.level, 3);
-  EXPECT_EQ(read.num_steps, 17);
-  ASSERT_TRUE(read.trial);
-  EXPECT_EQ(read.trial->iterations, 5);
-  EXPECT_EQ(read.trial->state.time, memory.trial->state.time);
+  format.save(archive, "state", state);
+  auto const read = format.load(archive, "state");
+  EXPECT_EQ(read.time, state.time);
   dynamics::State::visitFields(
     [](dynamics::FieldInfo const& info, auto const& loaded, auto const& saved) {
       EXPECT_EQ(valuesOf(dynamics::valuesOf(loaded)), valuesOf(dynamics::valuesOf(saved)))
         << info.name;
     },
-    read.trial->state, memory.trial->state);
-
-  memory.trial.reset();
-  io::Archive without_trial;
-  format.save(without_trial, "control", memory);
-  EXPECT_FALSE(format.loadControl(without_trial, "control").trial);
+    read, state);
 
   dynamics::SolveCount count;
   count.tnnmg_iterations = 7;
@@ -237,12 +240,12 @@ TEST(RunArchive, ReturnsWhatWasSaved)
   dynamics::Energy energy;
   energy.friction_work = -0.1;
   energy.defect = 1e-20;
-  saveSum(archive, "count", count);
-  saveSum(archive, "energy", energy);
-  EXPECT_EQ(loadSum<dynamics::SolveCount>(archive, "count").tnnmg_iterations, 7);
-  EXPECT_EQ(loadSum<dynamics::SolveCount>(archive, "count").rises, 2);
-  EXPECT_EQ(loadSum<dynamics::Energy>(archive, "energy").friction_work, -0.1);
-  EXPECT_EQ(loadSum<dynamics::Energy>(archive, "energy").defect, 1e-20);
+  saveMembers(archive, "count", count);
+  saveMembers(archive, "energy", energy);
+  EXPECT_EQ(loadMembers<dynamics::SolveCount>(archive, "count").tnnmg_iterations, 7);
+  EXPECT_EQ(loadMembers<dynamics::SolveCount>(archive, "count").rises, 2);
+  EXPECT_EQ(loadMembers<dynamics::Energy>(archive, "energy").friction_work, -0.1);
+  EXPECT_EQ(loadMembers<dynamics::Energy>(archive, "energy").defect, 1e-20);
 }
 
 TEST(RunArchive, RefusesTheStateOfAnotherMesh)
@@ -251,7 +254,7 @@ TEST(RunArchive, RefusesTheStateOfAnotherMesh)
   auto const finer = makeProblem<2>(
     column([](auto& deck) { deck.sublist("Mesh").sublist("Rectangle").set("Cells X", 3); }),
     world());
-  io::Archive archive;
+  Archive archive;
   const dynamics::DyadicTime clock(1, 10);
   StateFormat(finer, nullptr, clock).save(archive, "state", finer.initial);
   expectRefusal([&] { StateFormat(problem, nullptr, clock).load(archive, "state"); },

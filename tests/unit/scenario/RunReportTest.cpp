@@ -25,11 +25,4 @@ TEST(RunReport, PrintsABalanceThatAddsUp)
                "change of kinetic and elastic energy 46.5",
                "defect of the balance of 0.5 (0.0078"});
 }
-
-TEST(RunReport, WarnsWhereTheEnergyOfAStepGrew)
-{
-  // tests/support/asperity_run.py looks for the first words in what every run prints.
-  expectParts("WARNING: " + warnOfRises(2).text,
-              {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_rises in steps.csv)"});
-}
 } // namespace asperity::scenario

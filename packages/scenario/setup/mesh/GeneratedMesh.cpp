@@ -6,6 +6,7 @@
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
+#include "parameters/Entries.hpp"
 #include "parameters/fields/Field.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
@@ -16,55 +17,79 @@ namespace asperity::scenario
 {
 namespace
 {
-Declare wedgeEntries()
+constexpr char const* refined_intervals = "Refined Intervals";
+
+Entries<mesh::WedgeShape> wedgeEntries()
 {
-  const mesh::WedgeShape defaults;
-  Declare declare;
-  declare
-    .real("Length", defaults.length, "m", Range::positive(), "The free surface has this length.")
-    .real("Height", defaults.height, "m", Range::positive(),
+  using mesh::WedgeShape;
+  Entries<WedgeShape> entries;
+  entries
+    .real("Length", &WedgeShape::length, "m", Range::positive(),
+          "The free surface has this length.")
+    .real("Height", &WedgeShape::height, "m", Range::positive(),
           "The right face of the wedge has this height.")
-    .real("Seismogenic Zone Width", defaults.zone_width, "m", Range::positive(),
+    .real("Seismogenic Zone Width", &WedgeShape::zone_width, "m", Range::positive(),
           "The seismogenic zone has this width, measured along the base.")
-    .real("Seismogenic Zone End", defaults.zone_end, "m", Range::positive(),
+    .real("Seismogenic Zone End", &WedgeShape::zone_end, "m", Range::positive(),
           "The seismogenic zone ends below the point of the surface that has this distance from "
           "the trench.")
-    .real("Cell Size", defaults.cell_size, "m", Range::positive(),
+    .real("Cell Size", &WedgeShape::cell_size, "m", Range::positive(),
           "No cell at the seismogenic zone has a larger diameter than this.")
-    .real("Growth Factor", defaults.growth_factor, "-", Range::atLeast(0),
+    .real("Growth Factor", &WedgeShape::growth_factor, "-", Range::atLeast(0),
           "At one growth length from the seismogenic zone cells may be larger than at the zone by "
           "one plus this factor.")
-    .real("Growth Length", defaults.growth_length, "m", Range::positive(),
+    .real("Growth Length", &WedgeShape::growth_length, "m", Range::positive(),
           "Cells grow with the distance from the seismogenic zone, measured in this length; see "
           "'Growth Factor'.")
-    .real("Viscous Thickness", defaults.viscous_thickness, "m", Range::atLeast(0),
-          "The region 'lower' reaches from the deepest point vertically up to this height.")
-    .realArray("Refined Intervals", optional, "m", Range::atLeast(0),
-               "Cells are as small as at the seismogenic zone in these intervals of the base, too, "
-               "for further patches that weaken; each is given by the distances of its two ends "
-               "from the trench along the base, one interval after the other.");
-  return declare;
+    .real("Viscous Thickness", &WedgeShape::viscous_thickness, "m", Range::atLeast(0),
+          "The region 'lower' reaches from the deepest point vertically up to this height.");
+  entries.others().realArray(
+    refined_intervals, optional, "m", Range::atLeast(0),
+    "Cells are as small as at the seismogenic zone in these intervals of the base, too, "
+    "for further patches that weaken; each is given by the distances of its two ends "
+    "from the trench along the base, one interval after the other.");
+  return entries;
 }
 
 constexpr char const* periodic_meaning =
   "If true, the body continues periodically along z: what leaves it through the back enters it at "
   "the front, and neither is a boundary.";
 
-RCP<const ParameterList> deepWedgeParameters()
+constexpr char const* seismogenic_intervals = "Seismogenic Intervals";
+
+struct DeepWedge
 {
-  return wedgeEntries()
-    .real("Depth", 0.1, "m", Range::positive(), "The body reaches along z from 0 to this depth.")
-    .choice("Cells", "Graded", {"Graded", "Layers"},
+  double depth = 0.1; // [m]
+  bool is_graded = true;
+  int num_layers = 10;
+  bool is_periodic = false;
+};
+
+// They join those of the wedge.
+Entries<DeepWedge> deepWedgeEntries(ParameterList& list)
+{
+  Entries<DeepWedge> entries({}, list);
+  entries
+    .real("Depth", &DeepWedge::depth, "m", Range::positive(),
+          "The body reaches along z from 0 to this depth.")
+    .choice("Cells", &DeepWedge::is_graded, {{"Graded", true}, {"Layers", false}},
             "Selects how the wedge is divided. Graded: cells grow away from the seismogenic zone "
             "in all three directions. Layers: the two-dimensional mesh is extruded along z.")
-    .integer("Layers", 10, Range::atLeast(1),
-             "With Cells = Layers the mesh has this number of layers.")
-    .realArray("Seismogenic Intervals", optional, "m", Range::any(),
-               "With Cells = Graded the zone is seismogenic in these intervals of z; each is given "
-               "by its two ends, one interval after the other. Without this entry it is "
-               "seismogenic over the whole depth.")
-    .boolean("Periodic Along z", false, periodic_meaning)
-    .list();
+    .integer("Layers", &DeepWedge::num_layers, Range::atLeast(1),
+             "With Cells = Layers the mesh has this number of layers.");
+  entries.others().realArray(
+    seismogenic_intervals, optional, "m", Range::any(),
+    "With Cells = Graded the zone is seismogenic in these intervals of z; each is given "
+    "by its two ends, one interval after the other. Without this entry it is "
+    "seismogenic over the whole depth.");
+  return entries.boolean("Periodic Along z", &DeepWedge::is_periodic, periodic_meaning);
+}
+
+RCP<const ParameterList> deepWedgeParameters()
+{
+  auto const list = wedgeEntries().list();
+  deepWedgeEntries(*list);
+  return list;
 }
 
 // The pairs of numbers that an array of the wedge's list holds; none if it is not given.
@@ -104,17 +129,9 @@ mesh::VertexLimit vertexLimit(ParameterList const& list)
 
 mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  mesh::WedgeShape shape;
+  auto shape = wedgeEntries().read(list, joinPath(mesh_path, list.name()));
   shape.limit = limit;
-  shape.length = list.get<double>("Length");
-  shape.height = list.get<double>("Height");
-  shape.zone_width = list.get<double>("Seismogenic Zone Width");
-  shape.zone_end = list.get<double>("Seismogenic Zone End");
-  shape.cell_size = list.get<double>("Cell Size");
-  shape.growth_factor = list.get<double>("Growth Factor");
-  shape.growth_length = list.get<double>("Growth Length");
-  shape.viscous_thickness = list.get<double>("Viscous Thickness");
-  shape.further_zones = intervals(list, "Refined Intervals", "the base");
+  shape.further_zones = intervals(list, refined_intervals, "the base");
   return shape;
 }
 
@@ -152,87 +169,75 @@ void flattenCells(ParameterList const& list, std::string const& type, GlobalMesh
   }
 }
 
-RCP<const ParameterList> rectangleParameters()
+constexpr char const* cell_size = "Cell Size";
+constexpr char const* cell_size_factor = "Cell Size Factor";
+
+void declareCellSize(Declare& declare, std::string const& meaning)
 {
-  Declare declare;
-  declare.real("Width", 1., "m", Range::positive(), "The rectangle has this extent along x.")
-    .real("Height", 1., "m", Range::positive(), "The rectangle has this extent along y.")
-    .integer("Cells X", 1, Range::atLeast(1),
+  declare.field(cell_size, optional, "m", Range::positive(), meaning)
+    .withoutDatasets()
+    .real(cell_size_factor, 1., "-", Range::positive(),
+          "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
+}
+
+Entries<mesh::RectangleShape> rectangleEntries()
+{
+  using mesh::RectangleShape;
+  Entries<RectangleShape> entries;
+  entries
+    .real("Width", &RectangleShape::width, "m", Range::positive(),
+          "The rectangle has this extent along x.")
+    .real("Height", &RectangleShape::height, "m", Range::positive(),
+          "The rectangle has this extent along y.")
+    .integer("Cells X", &RectangleShape::cells_x, Range::atLeast(1),
              "The rectangle is divided into this number of columns, whose rectangles have two "
              "triangles each.")
-    .integer("Cells Y", 1, Range::atLeast(1),
+    .integer("Cells Y", &RectangleShape::cells_y, Range::atLeast(1),
              "The rectangle is divided into this number of rows, whose rectangles have two "
              "triangles each.")
-    .realArray("Lower Left", std::vector<double>{0., 0.}, "m", Range::any(),
-               "The lower left corner of the rectangle lies at this position.")
-    .field("Cell Size", optional, "m", Range::positive(),
-           "The longer side of rectangles is at most this function of x and y, which is evaluated "
-           "at corners, centroid and midpoints of edges of the triangles. They are bisected until "
-           "that is so, and keep the proportions of columns and rows. If columns and rows are 2^k "
-           "times this size, the result has exactly this size. Without this entry no cell is "
-           "bisected.")
-    .withoutDatasets()
-    .real("Cell Size Factor", 1., "-", Range::positive(),
-          "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
-  return declareFlatCells(declare, 2).list();
+    .realArray("Lower Left", &RectangleShape::lower_left, "m", Range::any(),
+               "The lower left corner of the rectangle lies at this position.");
+  declareCellSize(
+    entries.others(),
+    "The longer side of rectangles is at most this function of x and y, which is evaluated "
+    "at corners, centroid and midpoints of edges of the triangles. They are bisected until "
+    "that is so, and keep the proportions of columns and rows. If columns and rows are 2^k "
+    "times this size, the result has exactly this size. Without this entry no cell is "
+    "bisected.");
+  declareFlatCells(entries.others(), 2);
+  return entries;
 }
 
-mesh::RectangleShape rectangleShape(ParameterList const& list, mesh::VertexLimit const& limit)
+struct Box : mesh::BoxShape
 {
-  mesh::RectangleShape shape;
-  shape.limit = limit;
-  shape.width = list.get<double>("Width");
-  shape.height = list.get<double>("Height");
-  shape.cells_x = list.get<int>("Cells X");
-  shape.cells_y = list.get<int>("Cells Y");
-  auto const corner = list.get<Teuchos::Array<double>>("Lower Left");
-  ASPERITY_REQUIRE(corner.size() == 2,
-                   mesh_path << " / Rectangle / Lower Left needs two numbers, x and y.");
-  shape.lower_left = {corner[0], corner[1]};
-  return shape;
-}
+  bool is_periodic = false;
+};
 
-RCP<const ParameterList> boxParameters()
+Entries<Box> boxEntries()
 {
-  Declare declare;
-  declare
-    .realArray("Size", std::vector<double>{1., 1., 1.}, "m", Range::positive(),
+  Entries<Box> entries;
+  entries
+    .realArray("Size", &Box::size, "m", Range::positive(),
                "The box has these extents along x, y and z.")
-    .realArray("Lowest Corner", std::vector<double>{0., 0., 0.}, "m", Range::any(),
+    .realArray("Lowest Corner", &Box::lowest_corner, "m", Range::any(),
                "The corner with the smallest x, y and z lies at this position.")
     .integer(
-      "Cells X", 1, Range::atLeast(1),
+      "Cells X", [](Box & box) -> auto& { return box.num_cells[0]; }, Range::atLeast(1),
       "The box is divided into this number of cuboids along x, which have six tetrahedra each.")
-    .integer("Cells Y", 1, Range::atLeast(1),
-             "The box is divided into this number of cuboids along y.")
-    .integer("Cells Z", 1, Range::atLeast(1),
-             "The box is divided into this number of cuboids along z.")
-    .field("Cell Size", optional, "m", Range::positive(),
-           "The longest side of cuboids is at most this function of x, y and z: tetrahedra are "
-           "bisected until that is so, and keep the proportions of the first cuboids. If these are "
-           "2^k times this size, the result has exactly this size. Without this entry no cell is "
-           "bisected.")
-    .withoutDatasets()
-    .real("Cell Size Factor", 1., "-", Range::positive(),
-          "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
-  return declareFlatCells(declare, 3).boolean("Periodic Along z", false, periodic_meaning).list();
-}
-
-Point<3> threeNumbers(ParameterList const& list, std::string const& name)
-{
-  auto const& given = list.get<Teuchos::Array<double>>(name);
-  ASPERITY_REQUIRE(given.size() == 3, mesh_path << " / Box / " << name << " needs three numbers.");
-  return {given[0], given[1], given[2]};
-}
-
-mesh::BoxShape boxShape(ParameterList const& list, mesh::VertexLimit const& limit)
-{
-  mesh::BoxShape shape;
-  shape.limit = limit;
-  shape.size = threeNumbers(list, "Size");
-  shape.lowest_corner = threeNumbers(list, "Lowest Corner");
-  shape.num_cells = {list.get<int>("Cells X"), list.get<int>("Cells Y"), list.get<int>("Cells Z")};
-  return shape;
+    .integer(
+      "Cells Y", [](Box & box) -> auto& { return box.num_cells[1]; }, Range::atLeast(1),
+      "The box is divided into this number of cuboids along y.")
+    .integer(
+      "Cells Z", [](Box & box) -> auto& { return box.num_cells[2]; }, Range::atLeast(1),
+      "The box is divided into this number of cuboids along z.");
+  declareCellSize(
+    entries.others(),
+    "The longest side of cuboids is at most this function of x, y and z: tetrahedra are "
+    "bisected until that is so, and keep the proportions of the first cuboids. If these are "
+    "2^k times this size, the result has exactly this size. Without this entry no cell is "
+    "bisected.");
+  declareFlatCells(entries.others(), 3);
+  return entries.boolean("Periodic Along z", &Box::is_periodic, periodic_meaning);
 }
 
 // The cell size of a list, at a point of space.
@@ -241,17 +246,18 @@ std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
                                                   std::string const& type)
 {
   auto const size =
-    std::make_shared<Field>(steadyField(list, "Cell Size", joinPath(mesh_path, type), {"body"}));
-  const double factor = list.get<double>("Cell Size Factor");
+    std::make_shared<Field>(steadyField(list, cell_size, joinPath(mesh_path, type), {"body"}));
+  const double factor = list.get<double>(cell_size_factor);
   return [size, factor](Point<Dim> const& x) { return factor * (*size)(inSpace<Dim>(x), 0, 0); };
 }
 
 GlobalMesh<2> makeRectangle(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto const shape = rectangleShape(list, limit);
+  auto shape = rectangleEntries().read(list, joinPath(mesh_path, list.name()));
+  shape.limit = limit;
   auto rectangle = mesh::rectangleMesh(shape);
   const Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
-  if (isGiven(list, "Cell Size")) {
+  if (isGiven(list, cell_size)) {
     rectangle = mesh::bisectBricks<2>(rectangle, brick, cellSize<2>(list, "Rectangle"), limit);
   }
   flattenCells(list, "Rectangle", rectangle);
@@ -260,16 +266,17 @@ GlobalMesh<2> makeRectangle(ParameterList const& list, mesh::VertexLimit const& 
 
 GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto const shape = boxShape(list, limit);
+  auto shape = boxEntries().read(list, joinPath(mesh_path, list.name()));
+  shape.limit = limit;
   auto box = mesh::boxMesh(shape);
-  if (list.get<bool>("Periodic Along z")) {
+  if (shape.is_periodic) {
     mesh::makePeriodic(box, 2, "front", "back"); // bisection keeps it so
   }
   Point<3> brick;
   for (int axis = 0; axis < 3; ++axis) {
     brick[axis] = shape.size[axis] / shape.num_cells[axis];
   }
-  if (isGiven(list, "Cell Size")) {
+  if (isGiven(list, cell_size)) {
     box = mesh::bisectBricks<3>(box, brick, cellSize<3>(list, "Box"), limit);
   }
   flattenCells(list, "Box", box);
@@ -279,14 +286,14 @@ GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
 GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& limit)
 {
   auto const shape = wedgeShape(list, limit);
-  const double depth = list.get<double>("Depth");
-  const bool is_periodic = list.get<bool>("Periodic Along z");
-  if (list.get<std::string>("Cells") == "Graded") {
-    return mesh::deepWedgeMesh(shape,
-                               {depth, intervals(list, "Seismogenic Intervals", "z"), is_periodic});
+  ParameterList declared;
+  auto const deep = deepWedgeEntries(declared).read(list, joinPath(mesh_path, list.name()));
+  if (deep.is_graded) {
+    return mesh::deepWedgeMesh(
+      shape, {deep.depth, intervals(list, seismogenic_intervals, "z"), deep.is_periodic});
   }
-  auto wedge = mesh::layeredWedgeMesh(shape, depth, list.get<int>("Layers"));
-  if (is_periodic) {
+  auto wedge = mesh::layeredWedgeMesh(shape, deep.depth, deep.num_layers);
+  if (deep.is_periodic) {
     mesh::makePeriodic(wedge, 2, "front", "back");
   }
   return wedge;
@@ -297,9 +304,9 @@ GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& 
 std::vector<Declare::NamedList> generatedMeshParameters()
 {
   return {{"Wedge", wedgeEntries().list()},
-          {"Rectangle", rectangleParameters()},
+          {"Rectangle", rectangleEntries().list()},
           {"Deep Wedge", deepWedgeParameters()},
-          {"Box", boxParameters()}};
+          {"Box", boxEntries().list()}};
 }
 
 template <int Dim>

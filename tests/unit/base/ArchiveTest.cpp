@@ -1,8 +1,7 @@
-#include "io/Archive.hpp"
-#include "unit/io/Support.hpp"
+#include "base/Archive.hpp"
+#include "unit/base/Refusal.hpp"
 
 using namespace asperity;
-using io::Archive;
 
 TEST(Archive, KeepsEveryKindOfValue)
 {

@@ -4,10 +4,11 @@
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
-namespace asperity::io
+namespace asperity
 {
 // The values that one rank needs to go on exactly where it stopped, by path, for example
 // "state/velocity". A path may hold an integer, a double, a string or a vector of the first two.
@@ -59,13 +60,13 @@ public:
 
   // insert() adds all values of `part`, or what it saves, under `path`; child() returns the values
   // under `path`.
-  void insert(std::string const& path, Archive const& part);
-  template <class Part>
+  void insert(std::string const& path, Archive part);
+  template <class Part, class = std::enable_if_t<!std::is_same_v<Part, Archive>>>
   void insert(std::string const& path, Part const& part)
   {
     Archive values;
     part.save(values);
-    insert(path, values);
+    insert(path, std::move(values));
   }
   Archive child(std::string const& path) const;
 
@@ -79,7 +80,27 @@ private:
   std::map<std::string, std::string> nodes_; // by path, where it is not ""
 };
 
+// A sum over the steps of a run, a struct whose members() have names and pointers to members.
+template <class Sum>
+void saveMembers(Archive& archive, std::string const& path, Sum const& sum)
+{
+  for (auto const& [name, member] : Sum::members()) {
+    archive.set(path + "/" + name, sum.*member);
+  }
+}
+template <class Sum>
+Sum loadMembers(Archive const& archive, std::string const& path)
+{
+  Sum sum;
+  for (auto const& [name, member] : Sum::members()) {
+    if (archive.has(path + "/" + name)) { // the archive may be older than the member
+      sum.*member = archive.get<std::decay_t<decltype(sum.*member)>>(path + "/" + name);
+    }
+  }
+  return sum;
+}
+
 // The nodes of this rank by the name of their set: numbers that do not depend on the ranks, each
 // of which one rank has.
 using NodeSets = std::map<std::string, std::vector<std::int64_t>>;
-} // namespace asperity::io
+} // namespace asperity

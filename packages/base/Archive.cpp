@@ -1,19 +1,19 @@
-#include "io/Archive.hpp"
+#include "base/Archive.hpp"
 
 #include "base/Errors.hpp"
 
 #include <algorithm>
 #include <array>
 
-namespace asperity::io
+namespace asperity
 {
-void Archive::insert(std::string const& path, Archive const& part)
+void Archive::insert(std::string const& path, Archive part)
 {
-  for (auto const& entry : part.values_) {
-    values_[path + "/" + entry.first] = entry.second;
+  for (auto& entry : part.values_) {
+    values_[path + "/" + entry.first] = std::move(entry.second);
   }
-  for (auto const& entry : part.nodes_) {
-    nodes_[path + "/" + entry.first] = entry.second;
+  for (auto& entry : part.nodes_) {
+    nodes_[path + "/" + entry.first] = std::move(entry.second);
   }
 }
 
@@ -57,4 +57,4 @@ void Archive::throwWrongType(std::string const& path, Value const& value)
   throw InputError("The checkpoint holds " + std::string(names[value.index()]) + " as '" + path +
                    "', and this version reads another type. It was written by another version.");
 }
-} // namespace asperity::io
+} // namespace asperity

@@ -1,0 +1,28 @@
+#include "dynamics/control/EnergyIncreaseWatch.hpp"
+
+#include <string>
+
+namespace asperity::dynamics
+{
+void EnergyIncreaseWatch::note(WatchedState const& now, Notes& notes)
+{
+  notes.add(note(now.energy_increases));
+}
+
+std::optional<Warning> EnergyIncreaseWatch::note(std::int64_t count)
+{
+  if (count < to_tell_) {
+    return std::nullopt;
+  }
+  to_tell_ = 10 * count;
+  return Warning{
+    "energy increase",
+    "J grew in " + std::to_string(count) +
+      " sweeps or corrections of TNNMG (energy_rises in steps.csv) by more than rounding. J is the "
+      "energy that every time step minimises; it must fall. Results of these steps may be wrong: "
+      "please report this with the deck."};
+}
+} // namespace asperity::dynamics
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "energy_increase_watch",
+                  asperity::dynamics::WatchKindOf<asperity::dynamics::EnergyIncreaseWatch>)

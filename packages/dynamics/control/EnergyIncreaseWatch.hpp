@@ -1,0 +1,22 @@
+#pragma once
+
+#include "dynamics/control/Watch.hpp"
+
+namespace asperity::dynamics
+{
+// Warns where TNNMG raises J, which it must not.
+class EnergyIncreaseWatch : public Watch
+{
+public:
+  EnergyIncreaseWatch() = default;
+  explicit EnergyIncreaseWatch(WatchContext const&) {}
+
+  void note(WatchedState const& now, Notes& notes) override;
+  // count: sweeps and corrections so far in which J grew. A warning for the first one, and again
+  // whenever there are ten times as many.
+  std::optional<Warning> note(std::int64_t count);
+
+private:
+  std::int64_t to_tell_ = 1;
+};
+} // namespace asperity::dynamics

@@ -1,0 +1,34 @@
+#include "dynamics/checks/PlausibleValues.hpp"
+#include "dynamics/control/Watch.hpp"
+
+namespace asperity::dynamics
+{
+namespace
+{
+// Warns of slip rates beyond what the model describes; again at ten times the last one.
+class SlipRateWatch : public Watch
+{
+public:
+  explicit SlipRateWatch(WatchContext const& context)
+      : largest_(context.largest_slip_rate)
+      , to_tell_(largest_)
+  {
+  }
+
+  void note(WatchedState const& now, Notes& notes) override
+  {
+    const double rate = now.sample.peakSlipRate();
+    if (rate > to_tell_) {
+      to_tell_ = 10 * rate;
+      notes.warnings.push_back(warnOfSlipRate(rate, largest_));
+    }
+  }
+
+private:
+  double largest_, to_tell_; // [m/s]
+};
+} // namespace
+} // namespace asperity::dynamics
+
+ASPERITY_REGISTER(asperity::dynamics::WatchRegistry, "slip_rate_watch",
+                  asperity::dynamics::WatchKindOf<asperity::dynamics::SlipRateWatch>)

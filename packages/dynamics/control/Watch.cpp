@@ -1,0 +1,60 @@
+#include "dynamics/control/Watch.hpp"
+
+namespace asperity::dynamics
+{
+Watches::Watches(WatchContext const& context)
+{
+  auto const& registry = WatchRegistry::instance();
+  for (auto const& name : registry.names()) {
+    watches_.push_back({name, registry.at(name).make(context)});
+  }
+}
+
+void Watches::note(WatchedState const& now, Notes& notes)
+{
+  for (auto const& each : watches_) {
+    each.watch->note(now, notes);
+  }
+}
+
+void Watches::requireUse() const
+{
+  for (auto const& each : watches_) {
+    each.watch->requireUse();
+  }
+}
+
+std::vector<Warning> Watches::warningsOfRun() const
+{
+  Notes notes;
+  for (auto const& each : watches_) {
+    notes.add(each.watch->warningOfRun());
+  }
+  return notes.warnings;
+}
+
+std::string Watches::report() const
+{
+  std::string all;
+  for (auto const& each : watches_) {
+    all += each.watch->report();
+  }
+  return all;
+}
+
+void Watches::save(Archive& archive) const
+{
+  for (auto const& each : watches_) {
+    Archive memory;
+    each.watch->save(memory);
+    archive.insert(each.name, memory);
+  }
+}
+
+void Watches::restore(Archive const& archive, Watch::Restart const& restart)
+{
+  for (auto const& each : watches_) {
+    each.watch->restore(archive.child(each.name), restart);
+  }
+}
+} // namespace asperity::dynamics
