@@ -26,8 +26,8 @@
 
 namespace asperity::friction::detail
 {
-// The law's FUNCTION() of its parameters, or nullptr for a law that lacks it: int binds to the first
-// where that compiles.
+// The law's FUNCTION() of its parameters, or nullptr for a law that lacks it: int binds to the
+// first where that compiles.
 #define ASPERITY_OPTIONAL_FUNCTION(FUNCTION)                                                       \
   template <class Law>                                                                             \
   auto FUNCTION##Of(int)->decltype(std::declval<Law const&>().FUNCTION()) (*)(double const*)       \

@@ -3,10 +3,21 @@
 #include "base/program/MpiScope.hpp"
 #include "hdf5/detail/Calls.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 namespace asperity::h5
 {
 namespace
 {
+// A damaged file may have any bytes in its names.
+std::string onOneLine(std::string message)
+{
+  std::replace_if(
+    message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  return message;
+}
+
 // Keeps the description of the deepest entry, where the error occurred.
 herr_t describeError(unsigned, H5E_error2_t const* entry, void* text)
 {
@@ -24,9 +35,10 @@ void fail(std::string const& what)
   if (const auto begin = reason.find(words); begin != std::string::npos) {
     reason = reason.substr(begin + words.size());
     reason = reason.substr(0, reason.find('\''));
-    throw Error(what + " failed: " + reason + ".");
+    throw Error(onOneLine(what + " failed: " + reason + "."));
   }
-  throw Error(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")") + ".");
+  throw Error(
+    onOneLine(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")") + "."));
 }
 
 Silence::Silence()

@@ -142,7 +142,7 @@ public:
 
   Teuchos::RCP<ParameterList> list() const { return declare_.list(); }
 
-  // list: complete, see completeAndValidate. path: where it stands, for messages. Throws InputError.
+  // list: complete, see completeAndValidate; path: where it stands, for messages of InputError.
   T read(ParameterList const& list, std::string const& path) const
   {
     T result = defaults_;

@@ -61,12 +61,13 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto const& conditions = deck.sublist("Boundary Conditions");
   const int components = displacementComponents(deck.sublist("Bulk"), Dim);
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
+  auto kinds = faultKinds();
+  kinds.push_back("Prescribed Slip Rate");
   ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(deck.sublist("Friction")),
                    "Asperity / Friction has no effect: Asperity / Boundary Conditions has no "
                    "condition of Type "
-                     << quotedAlternatives(faultKinds())
-                     << " or 'Prescribed Slip Rate'. Name the boundary that is the fault, or "
-                        "remove the list.");
+                     << quotedAlternatives(kinds)
+                     << ". Name the boundary that is the fault, or remove the list.");
   auto mesh = makeMesh<Dim>(deck.sublist("Mesh"),
                             boundary.faults.empty() ? "" : boundary.faults.front(), communicator);
   requireGlobalIds(mesh, components);

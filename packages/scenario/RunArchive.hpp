@@ -22,8 +22,8 @@ class StateFormat : public dynamics::StateArchive
 {
 public:
   // whole: the model of the whole body. condensation may be null. Both must outlive this.
-  // stored_level: DyadicTime::finestLevel() of the run that has written the archive to read, if that
-  // is not `clock`.
+  // stored_level: DyadicTime::finestLevel() of the run that has written the archive to read, if
+  // that is not `clock`.
   StateFormat(dynamics::Model const& whole, dynamics::StaticCondensation const* condensation,
               dynamics::DyadicTime const& clock, std::optional<int> stored_level = {})
       : whole_(whole)

@@ -58,8 +58,8 @@ struct StressedBody
 };
 
 // Registers `stress`, `strain`, for each plane `coulomb_stress_change_<name>`, and in a body that
-// may yield `inelastic_strain`, `inelastic_shear` and its internal variables, in the elements of a domain, which is
-// `volume` or `surface`: of the cell, or of the cell below the facet.
+// may yield `inelastic_strain`, `inelastic_shear` and internal variables, in the elements of a
+// domain, which is `volume` or `surface`: of the cell, or of the cell below the facet.
 template <int Dim>
 void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& domain,
                           StressedBody<Dim> const& body,

@@ -145,9 +145,11 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
     } else {
       description.warnings.push_back(
         {"slip at a boundary",
-         text + "none. Stress grows there as at the tip of a crack. If the fault shall slip there, "
-                "choose a Type that leaves motion along it free, such as Sliding Wall, or let a "
-                "boundary of the Type Prescribed Slip Rate continue the fault."});
+         text +
+           "none. Stress grows there as at the tip of a crack. If "
+           "the fault shall slip there, choose a Type that leaves motion along the fault free: "
+           "Free Surface, or Sliding Wall where the fault lies along that wall; or let a "
+           "boundary of the Type Prescribed Slip Rate continue the fault."});
     }
   }
 }

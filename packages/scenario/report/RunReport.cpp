@@ -53,6 +53,20 @@ void describeWedge(ParameterList const& deck, std::array<double, 3> const& downw
   }
 }
 
+void warnOfCoupling(ParameterList const& deck, Description& description)
+{
+  const double given = deck.sublist("Coupling").get<double>("Tolerance");
+  const double of_steps = stepTolerance(deck.sublist("Time Stepping"));
+  if (of_steps > 0 && given > of_steps) {
+    description.warnings.push_back(
+      {"coupling tolerance",
+       "Coupling / Tolerance = " + formatShort(given) +
+         " is above the Tolerance = " + formatShort(of_steps) +
+         " of the step control: the errors that it leaves add up over many steps, and intervals "
+         "between events change. Leave it out: the default is a thousandth."});
+  }
+}
+
 void warnOfTolerance(ParameterList const& time_stepping, Description& description)
 {
   // Twice what decks in space have. It was chosen after runs of spring_slider.xml: with backward
@@ -187,6 +201,7 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   describeSmallestStep(problem, deck, description);
   warnOfFlatCells(problem, deck, description);
   warnOfTolerance(deck.sublist("Time Stepping"), description);
+  warnOfCoupling(deck, description);
   return description;
 }
 

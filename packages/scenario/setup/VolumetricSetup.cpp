@@ -118,6 +118,7 @@ std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
 {
   constexpr double bound = 0.4;
   const int components = displacementComponents(bulk);
+  const bool may_share = bulk.get<std::string>(volumetric_strain) != "Auto";
   auto const moduli = ownModuli(bulk.get<std::string>(volumetric_strain), rock);
   double largest = 0;
   for (std::size_t cell = 0; cell < moduli.size() && components > 1; ++cell) {
@@ -130,15 +131,15 @@ std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
   if (largest < bound) {
     return {};
   }
-  return {
-    {"cells that lock",
-     "Cells with a Poisson's ratio of up to " + formatShort(largest) +
-       " keep their volume each for itself, and are too stiff: of a crack that is 16 cells "
-       "wide, they hold back about " +
-       formatted("%.0f", 100 * lostSlip(largest, components)) +
-       " % of the slip, with half the cells about half of it. "
-       "Choose Bulk / Volumetric Strain = Auto, which has no effect in rock that yields or has "
-       "a power law; else smaller cells or another law there."}};
+  return {{"cells that lock",
+           "Cells with a Poisson's ratio of up to " + formatShort(largest) +
+             " keep their volume each for itself, and are too stiff: of a crack that is 16 cells "
+             "wide, they hold back about " +
+             formatted("%.0f", 100 * lostSlip(largest, components)) +
+             " % of the slip, with half the cells about half of it. " +
+             (may_share ? "Choose Bulk / Volumetric Strain = Auto."
+                        : "Rock that yields or has a power law cannot share it between cells: take "
+                          "smaller cells, or another law there.")}};
 }
 
 template fem::VolumetricPatches makePatches(ParameterList const&, std::vector<std::string> const&,

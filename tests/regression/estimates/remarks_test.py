@@ -87,6 +87,17 @@ class UnreadEntries(unittest.TestCase):
             self.assertIn("unread parameters", str(facts(folder, 600.0)))
 
 
+class Coupling(unittest.TestCase):
+    def test_a_tolerance_above_that_of_the_steps_is_questioned(self):
+        words = "the errors that it leaves add up"
+        for value, number in ((1e-2, 1), (1e-4, 0)):  # the steps have 1e-4
+            told = those_with(words, BP1, {"Coupling/Tolerance": value})
+            self.assertEqual(len(told), number)
+            self.assertTrue(all(line.startswith("WARNING: Coupling / Tolerance = 0.01 is above")
+                                for line in told))
+        self.assertEqual(those_with(words, WEDGE), [])
+
+
 class HeldEnds(unittest.TestCase):
     WORDS = "which prescribes the slip of"
 

@@ -209,6 +209,15 @@ TEST_F(H5, FailuresSayWhatAndWhere)
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), ""); // HDF5's own error stack is silent
 }
 
+// A damaged file may have any bytes in its names.
+TEST_F(H5, FailuresStayOnOneLine)
+{
+  auto file = h5::File::create(path());
+  auto const message = test::refusal<h5::Error>([&] { file.openDataset("no\nsuch\vname"); });
+  EXPECT_NE(message.find("no such name"), std::string::npos) << message;
+  EXPECT_EQ(message.find_first_of("\n\v"), std::string::npos) << message;
+}
+
 // What other code in the process has told HDF5 to print is its own business.
 TEST_F(H5, OthersHearOfTheirErrorsAsBefore)
 {

@@ -2,9 +2,9 @@
 
 #include "SampleDeck.hpp"
 #include "dynamics/control/StepControl.hpp"
+#include "dynamics/observables/EnergyBalance.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
-#include "dynamics/observables/EnergyBalance.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 

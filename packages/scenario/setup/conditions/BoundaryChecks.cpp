@@ -186,14 +186,16 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
                           : "Give it in Mesh / Faults, or mark facets inside the mesh." + way_out));
     }
   }
+  auto all_kinds = faultKindsInside();
+  all_kinds.push_back("Prescribed Slip Rate");
   for (auto const& fault : mesh.faults) {
     ASPERITY_REQUIRE(std::any_of(conditions.begin(), conditions.end(),
                                  [&fault](BoundaryCondition const& condition) {
                                    return condition.boundary == fault;
                                  }),
                      "Asperity / Boundary Conditions: nothing is said about the fault '"
-                       << fault << "' inside the mesh. Add a condition of the Type " << kinds
-                       << " or 'Prescribed Slip Rate'.");
+                       << fault << "' inside the mesh. Add a condition of the Type "
+                       << quotedAlternatives(all_kinds) << '.');
   }
 }
 
