@@ -98,6 +98,15 @@ class Coupling(unittest.TestCase):
         self.assertEqual(those_with(words, WEDGE), [])
 
 
+class FlatCells(unittest.TestCase):
+    def test_beside_prescribed_slip_they_are_questioned(self):
+        deck, words = XML / "known_slip_2d.xml", "along which slip is prescribed"
+        self.assertEqual(those_with(words, deck), [])
+        told = those_with(words, deck, "Mesh/Flat Cells Beside={thrust}")
+        self.assertEqual(len(told), 1)
+        self.assertRegex(told[0], "^WARNING: Mesh / Flat Cells Beside names 'thrust'")
+
+
 class HeldEnds(unittest.TestCase):
     WORDS = "which prescribes the slip of"
 
