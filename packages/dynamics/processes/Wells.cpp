@@ -5,6 +5,8 @@
 #include "mesh/PointText.hpp"
 #include "parameters/fields/Field.hpp"
 
+#include <Tpetra_Map.hpp>
+
 #include <algorithm>
 
 namespace asperity::dynamics
