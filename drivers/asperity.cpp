@@ -7,7 +7,7 @@
 #include "scenario/DeckReader.hpp"
 #include "scenario/Registrations.hpp"
 #include "scenario/report/Environment.hpp"
-#include "scenario/run/Simulation.hpp"
+#include "scenario/run/RunDeck.hpp"
 
 #include <iostream>
 
@@ -16,11 +16,10 @@ namespace
 int runDeck(asperity::CommandLine const& command_line,
             asperity::RCP<const asperity::Communicator> const& communicator)
 try {
-  // 3. Read the deck and build what it describes.
+  // 3. Read the deck.
   auto const deck = asperity::scenario::readCompleteDeck(command_line);
-  auto const simulation = asperity::scenario::makeSimulation(deck, command_line, communicator);
   if (command_line.validate) {
-    auto const description = simulation->description();
+    auto const description = asperity::scenario::validateDeck(deck, command_line, communicator);
     if (communicator->getRank() == 0) {
       asperity::scenario::print(description, std::cout);
       std::cout << command_line.deck << " is valid.\n";
@@ -28,7 +27,7 @@ try {
     return asperity::exit_done;
   }
   // 4. Run it; it prints its own report.
-  return simulation->run();
+  return asperity::scenario::runDeck(deck, command_line, communicator);
 } catch (asperity::InputError const& error) { // adds numbers of the deck that are probably mistakes
   throw asperity::InputError(error.what() +
                              asperity::scenario::remarkOnLargeValues(command_line, error.what()));

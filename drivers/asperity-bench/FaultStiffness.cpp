@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "dynamics/fault/NormalReaction.hpp"
 #include "fem/BodyMatrices.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -47,18 +47,18 @@ double distance(fem::FaultNode const& a, fem::FaultNode const& b)
 std::vector<double> compressionOf(Problem const& problem, std::vector<int> const& nodes,
                                   tnnmg::SchurComplement const& equilibrium)
 {
-  auto const& body = problem.body;
+  auto const& body = problem.model.body;
   const std::size_t n = nodes.size();
   auto const zero = body.vector(), u = body.vector();
   Vector slip(equilibrium.map());
   auto const no_forces = equilibrium.condense(*zero);
-  const NodeView R("asperity::bench::R", problem.surface->numNodes());
+  const NodeView R("asperity::bench::R", problem.surface().numNodes());
   std::vector<double> result(n * n);
   for (std::size_t j = 0; j < n; ++j) {
     slip.putScalar(0);
-    slip.replaceLocalValue(static_cast<int>(j), 1 / problem.surface->slipFactor());
+    slip.replaceLocalValue(static_cast<int>(j), 1 / problem.surface().slipFactor());
     no_forces.expand(slip, *u);
-    problem.reaction.reaction->compression(*zero, {*u, *zero, *zero, {}}, R);
+    problem.model.reaction.reaction->compression(*zero, {*u, *zero, *zero, {}}, R);
     auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), R);
     for (std::size_t i = 0; i < n; ++i) {
       result[i * n + j] = host(nodes[i]);
@@ -72,7 +72,7 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
                                 RCP<const Communicator> const& communicator)
 {
   auto const problem = scenario::makeProblem<2>(deck, communicator);
-  auto const& surface = *problem.surface;
+  auto const& surface = problem.surface();
   ASPERITY_REQUIRE(surface.otherSide().deforming_sides == 2,
                    "asperity-bench stiffness compares with a fault whose two sides deform; this "
                    "deck's lies on a rigid foundation.");
@@ -82,10 +82,10 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
   for (int node : nodes) {
     dofs.push_back(surface[node].dofs[0]);
   }
-  const tnnmg::SchurComplement equilibrium(*fem::combine(problem.body.matrices,
-                                                         fem::ofElasticity(problem.body.matrices),
-                                                         problem.body.held),
-                                           dofs);
+  const tnnmg::SchurComplement equilibrium(
+    *fem::combine(problem.model.body.matrices, fem::ofElasticity(problem.model.body.matrices),
+                  problem.model.body.held),
+    dofs);
 
   FaultStiffness result;
   auto const S = toHost(equilibrium.matrix());
@@ -99,10 +99,11 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
       result.traction[i * n + j] = -S(i, j) / (node.weight * surface.slipFactor());
     }
   }
-  if (problem.reaction.reaction) {
+  if (problem.model.reaction.reaction) {
     result.compression = compressionOf(problem, nodes, equilibrium);
   }
   auto const& rock = problem.fault_materials[nodes[n / 2]];
-  result.half_plane = rock.shear_modulus / (problem.components == 1 ? 1 : 1 - rock.poissonsRatio());
+  result.half_plane =
+    rock.shear_modulus / (problem.components() == 1 ? 1 : 1 - rock.poissonsRatio());
   return result;
 }

@@ -12,7 +12,7 @@
 #include "multigrid/NodeKernels.hpp"
 #include "multigrid/Sweeps.hpp"
 #include "portability/Renamed.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
@@ -259,15 +259,15 @@ std::vector<Kernel> kernelsOf(ParameterList const& deck,
                               RCP<const Communicator> const& communicator)
 {
   const auto problem = scenario::makeProblem<Dim>(deck, communicator);
-  auto const& body = problem.body;
+  auto const& body = problem.model.body;
   const double tau = deck.sublist("Time Stepping").template get<double>("Largest Step");
   auto const weights = dynamics::RateUpdate::backwardEuler().weights(tau, body.matrices);
   const RCP<const CrsMatrix> Z = fem::combine(body.matrices, weights, body.held);
   Meter meter(*communicator);
   measureProducts(meter, body);
   measureMultigrid(meter, body, weights, *Z,
-                   dynamics::SharedMultigrid(body, *problem.surface, problem.solver.multigrid));
-  measureFriction(meter, problem.fault, problem.initial, Z);
+                   dynamics::SharedMultigrid(body, problem.surface(), problem.solver.multigrid));
+  measureFriction(meter, problem.model.fault, problem.model.initial, Z);
   return meter.kernels();
 }
 

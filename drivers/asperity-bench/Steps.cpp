@@ -85,8 +85,9 @@ Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> co
   auto const& problem = evolution.problem();
   Cost cost;
   cost.num_ranks = communicator->getSize();
-  cost.num_unknowns = static_cast<double>(problem.mesh.num_global_vertices) * problem.components;
-  ProductMeter product(problem.body);
+  cost.num_unknowns =
+    static_cast<double>(problem.mesh().num_global_vertices) * problem.components();
+  ProductMeter product(problem.model.body);
   for (; cost.num_steps < num_steps && !evolution.atEnd(); ++cost.num_steps) {
     const double start = cpuSeconds(), wall_start = wallSeconds();
     evolution.advance();

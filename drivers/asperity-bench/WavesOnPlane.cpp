@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "tnnmg/direct/EigenMatrix.hpp"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -134,10 +134,10 @@ class Equilibrium
 {
 public:
   explicit Equilibrium(ProblemInSpace const& problem)
-      : surface_(*problem.surface)
+      : surface_(problem.surface())
       , given_(givenDofs(problem))
   {
-    auto const& matrices = problem.body.matrices;
+    auto const& matrices = problem.model.body.matrices;
     auto const elasticity = fem::ofElasticity(matrices);
     const auto drop = tnnmg::detail::StoredZeros::drop;
     K_ = tnnmg::detail::toEigen(*fem::combine(matrices, elasticity), drop);
@@ -171,8 +171,8 @@ private:
   // Dofs that boundary conditions hold, and those of the fault.
   static fem::HeldDofs givenDofs(ProblemInSpace const& problem)
   {
-    auto flags = problem.body.held.flags();
-    for (auto const& node : *problem.surface) {
+    auto flags = problem.model.body.held.flags();
+    for (auto const& node : problem.surface()) {
       for (int dof : node.dofs) {
         flags[dof] = 1;
       }
@@ -193,7 +193,7 @@ PlaneStiffness stiffnessOfPlane(ParameterList const& deck,
                                 RCP<const Communicator> const& communicator)
 {
   auto const problem = scenario::makeProblem<3>(deck, communicator);
-  auto const& surface = *problem.surface;
+  auto const& surface = problem.surface();
   auto const plane = planeOf(surface);
   PlaneStiffness result = {cellAt(surface, plane), plane.extent, {}};
   const int middle = surface.nodeAt(plane.middle.copies.front());

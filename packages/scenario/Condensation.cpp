@@ -13,10 +13,10 @@ template <int Dim>
 bool boundariesMoveSteadily(Problem<Dim> const& problem)
 {
   std::vector<int> slipping;
-  for (auto const& node : *problem.surface) {
+  for (auto const& node : problem.surface()) {
     slipping.insert(slipping.end(), node.dofs.begin(), node.dofs.end());
   }
-  auto const varying = problem.constraints->dofsThatVary();
+  auto const varying = problem.discretisation.constraints->dofsThatVary();
   return std::all_of(varying.begin(), varying.end(), [&](int dof) {
     return std::find(slipping.begin(), slipping.end(), dof) != slipping.end();
   });
@@ -36,12 +36,12 @@ std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> cons
 {
   const bool is_wanted = deck.sublist("TNNMG").get<std::string>("Static Condensation") == "Auto" &&
                          problem.solver.correction == dynamics::Correction::direct;
-  if (!is_wanted || problem.surface->numGlobalNodes() == 0 || !problem.boundary.tractions.empty() ||
-      problem.body.cells || hasGravity<Dim>(deck.sublist("Bulk")) ||
-      !boundariesMoveSteadily(problem)) {
+  if (!is_wanted || problem.surface().numGlobalNodes() == 0 ||
+      !problem.discretisation.boundary.tractions.empty() || problem.model.body.cells ||
+      hasGravity<Dim>(deck.sublist("Bulk")) || !boundariesMoveSteadily(problem)) {
     return nullptr;
   }
-  return dynamics::StaticCondensation::make(problem);
+  return dynamics::StaticCondensation::make(problem.model);
 }
 
 template std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<2> const&,

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/condensation/StaticCondensation.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <memory>
 

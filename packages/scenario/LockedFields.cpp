@@ -25,7 +25,7 @@ public:
   {
     if (!response_) {
       requireHeld(field);
-      response_.emplace(problem_.body, *problem_.surface, problem_.solver);
+      response_.emplace(problem_.model.body, problem_.surface(), problem_.solver);
     }
     return *response_;
   }
@@ -33,13 +33,13 @@ public:
 private:
   void requireHeld(std::string const& field) const
   {
-    auto const locked = dynamics::lockedAt(*problem_.surface, problem_.body);
+    auto const locked = dynamics::lockedAt(problem_.surface(), problem_.model.body);
     std::vector<int> held(locked.numOwnedDofs(), 0);
     for (const int dof : locked.held.owned()) {
       held[dof] = 1;
     }
-    auto const free = fem::freeMotions(problem_.mesh, problem_.components, *locked.near_null_space,
-                                       held, problem_.communicator);
+    auto const free = fem::freeMotions(problem_.mesh(), problem_.components(),
+                                       *locked.near_null_space, held, problem_.communicator);
     ASPERITY_REQUIRE(free.empty(), "Asperity / Output: the field "
                                      << field
                                      << " does not exist, because nothing holds the body when it "
@@ -88,7 +88,7 @@ void add(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const
          std::shared_ptr<ResponseInTime<Dim>> const& response)
 {
   field.unit = "m";
-  field.components = problem.components;
+  field.components = problem.components();
   for (auto const& [name, domain] : domains) {
     if (name == "fault") {
       continue;
@@ -97,7 +97,7 @@ void add(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const
     field.values = [&problem, &view, &vertices = domain.vertices,
                     response](std::vector<double>& values) {
       constexpr bool with_ghosts = false;
-      values = dynamics::VertexMotion(problem.body, problem.constraints->frames(), vertices,
+      values = dynamics::VertexMotion(problem.model.body, problem.discretisation.frames(), vertices,
                                       with_ghosts)(response->at(*view.state));
     };
     registry.add(field);
@@ -122,11 +122,11 @@ void registerLockedResponse(io::FieldRegistry& registry, Problem<Dim> const& pro
          {}},
         std::make_shared<ResponseInTime<Dim>>(body, name, response));
   };
-  if (!problem.body.matrices.branches.empty()) {
+  if (!problem.model.body.matrices.branches.empty()) {
     offer("viscous_displacement", "the flow of Maxwell's and Burgers' rock",
           &dynamics::LockedResponse::toFlow);
   }
-  if (problem.body.cells) {
+  if (problem.model.body.cells) {
     offer("inelastic_displacement", "the inelastic strain of rock that yields or creeps",
           &dynamics::LockedResponse::toInelasticStrain);
   }

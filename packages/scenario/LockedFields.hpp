@@ -2,8 +2,8 @@
 
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
-#include "scenario/OutputFields.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/RunView.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <map>
 #include <string>

@@ -103,13 +103,13 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
   }
   add("shear_modulus", "Pa", "Shear modulus of the body beside the fault.", shear_modulus);
   Values prescribed, given;
-  for (int node = 0; node < problem.surface->numNodes(); ++node) {
-    prescribed.push_back(problem.surface->slides(node) ? 0 : 1);
-    given.push_back((*problem.surface)[node].has_given_slip ? 1 : 0);
+  for (int node = 0; node < problem.surface().numNodes(); ++node) {
+    prescribed.push_back(problem.surface().slides(node) ? 0 : 1);
+    given.push_back((problem.surface())[node].has_given_slip ? 1 : 0);
   }
   add("prescribed", "", "1 where the slip rate is prescribed, 0 where friction decides on it.",
       prescribed);
-  if (!problem.boundary.given_slip.empty()) {
+  if (!problem.discretisation.boundary.given_slip.empty()) {
     add("given_slip", "", "1 on faults whose slip is prescribed, 0 on faults with friction.",
         given);
   }
@@ -121,7 +121,7 @@ template <int Dim>
 void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                    ParameterList const& friction)
 {
-  auto const nodes = faultNodes(problem.mesh, *problem.surface);
+  auto const nodes = faultNodes(problem.mesh(), problem.surface());
   auto const reference = referenceFriction(friction, nodes);
   auto const effects = sensitivities(friction, nodes);
   if (reference && effects) {
@@ -151,8 +151,9 @@ dynamics::VertexMotion vertexMotion(Problem<Dim> const& problem, RunView const& 
                                     std::shared_ptr<dynamics::RecoveryRows> const& rows = nullptr)
 {
   constexpr bool with_ghosts = false;
-  return {problem.body, problem.constraints->frames(), vertices, with_ghosts, view.condensation,
-          rows};
+  return {problem.model.body, problem.discretisation.frames(),
+          vertices,           with_ghosts,
+          view.condensation,  rows};
 }
 
 catalogue::VertexMotion motionAt(dynamics::VertexMotion const& vertices,
@@ -188,7 +189,7 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
                           motion.unit,
                           motion.description,
                           domain.name,
-                          problem.components,
+                          problem.components(),
                           [&problem, &view, &domain, vector](Values& values) {
                             values =
                               vertexMotion(problem, view, domain.vertices)(*(view.state->*vector));
@@ -274,11 +275,11 @@ template <int Dim>
 std::function<catalogue::YieldedStrain(std::vector<int> const&)>
 yieldedStrain(Problem<Dim> const& problem, RunView const& view)
 {
-  auto const cells = problem.body.cells;
+  auto const cells = problem.model.body.cells;
   if (!cells) {
     return {};
   }
-  std::vector<int> rows(problem.mesh.cells.size(), -1);
+  std::vector<int> rows(problem.mesh().cells.size(), -1);
   for (int row = 0; row < cells->numCells(); ++row) {
     rows[cells->sharing().cells()[row]] = row;
   }
@@ -309,13 +310,13 @@ template <int Dim>
 io::OutputDomain faultDomain(Problem<Dim> const& problem)
 {
   auto fault =
-    io::boundaryDomain("fault", problem.mesh, problem.surface->name(), problem.communicator);
-  io::nameParts(fault, problem.mesh, problem.boundary.faults);
+    io::boundaryDomain("fault", problem.mesh(), problem.surface().name(), problem.communicator);
+  io::nameParts(fault, problem.mesh(), problem.discretisation.boundary.faults);
   double rise = 0; // of the normals, out of the plus side
-  for (auto const& node : *problem.surface) {
+  for (auto const& node : problem.surface()) {
     rise += node.weight * node.normal[1];
   }
-  const double rounding = 1e-6 * problem.surface->totalWeight(); // of a vertical fault
+  const double rounding = 1e-6 * problem.surface().totalWeight(); // of a vertical fault
   fault.is_foot_wall = Dim == 2 && sumOverRanks(rise, *problem.communicator) > rounding;
   return fault;
 }
@@ -325,12 +326,13 @@ template <int Dim>
 std::map<std::string, io::OutputDomain> makeDomains(Problem<Dim> const& problem)
 {
   std::map<std::string, io::OutputDomain> domains;
-  if (problem.surface->numGlobalNodes() > 0) {
+  if (problem.surface().numGlobalNodes() > 0) {
     domains.emplace("fault", faultDomain(problem));
   }
-  domains.emplace("volume", io::volumeDomain(problem.mesh, problem.communicator));
-  if (!problem.boundary.surface.empty()) {
-    domains.emplace("surface", io::boundaryDomain("surface", problem.mesh, problem.boundary.surface,
+  domains.emplace("volume", io::volumeDomain(problem.mesh(), problem.communicator));
+  if (!problem.discretisation.boundary.surface.empty()) {
+    domains.emplace("surface", io::boundaryDomain("surface", problem.mesh(),
+                                                  problem.discretisation.boundary.surface,
                                                   problem.communicator));
   }
   return domains;
@@ -346,13 +348,13 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
       registry, view,
       {hasState(friction), bearsFriction(friction) || isGiven(friction, "Normal Stress")});
     registerState(registry, problem, view, friction);
-    registerAddedFields(registry, problem.initial, problem.fault, view);
+    registerAddedFields(registry, problem.model.initial, problem.model.fault, view);
     registerFaultConstants(registry, problem);
   }
   for (auto const& [name, domain] : domains) {
     registerMotion(registry, problem, view, domain);
   }
-  registerScalars(registry, view, Dim, problem.body.cells != nullptr);
+  registerScalars(registry, view, Dim, problem.model.body.cells != nullptr);
 }
 
 template <int Dim>
@@ -362,26 +364,27 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
 {
   auto const observe = [&problem, &view](std::vector<int> const& vertices, bool are_few) {
     constexpr bool with_ghosts = true;
-    auto const& frames = problem.constraints->frames();
-    const dynamics::VertexMotion now(problem.body, frames, vertices, with_ghosts, view.condensation,
-                                     are_few ? view.recovery_rows : nullptr);
-    const dynamics::VertexMotion initial(problem.body, frames, vertices, with_ghosts);
+    auto const& frames = problem.discretisation.frames();
+    const dynamics::VertexMotion now(problem.model.body, frames, vertices, with_ghosts,
+                                     view.condensation, are_few ? view.recovery_rows : nullptr);
+    const dynamics::VertexMotion initial(problem.model.body, frames, vertices, with_ghosts);
     return catalogue::VertexMotions{
       [=, &view](bool with_velocity) { return motionAt(now, *view.state, with_velocity); },
       [=, &problem](bool with_velocity) {
-        return motionAt(initial, problem.initial, with_velocity);
+        return motionAt(initial, problem.model.initial, with_velocity);
       }};
   };
-  const catalogue::StressedBody<Dim> body{problem.mesh,
-                                          problem.components,
-                                          problem.materials,
-                                          problem.branches,
-                                          problem.patches,
-                                          problem.boundary.surface,
+  const catalogue::StressedBody<Dim> body{problem.mesh(),
+                                          problem.components(),
+                                          problem.discretisation.rock.materials,
+                                          problem.discretisation.rock.branches,
+                                          problem.discretisation.patches,
+                                          problem.discretisation.boundary.surface,
                                           observe,
                                           yieldedStrain(problem, view),
-                                          problem.body.cells ? problem.body.cells->history()
-                                                             : std::vector<fem::HistoryColumns>()};
+                                          problem.model.body.cells
+                                            ? problem.model.body.cells->history()
+                                            : std::vector<fem::HistoryColumns>()};
   auto const planes = catalogue::coulombPlanes(output, Dim);
   for (auto const& [name, domain] : domains) {
     if (name != "fault") {

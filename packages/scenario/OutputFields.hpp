@@ -1,33 +1,15 @@
 #pragma once
 
-#include "dynamics/condensation/VertexMotion.hpp"
-#include "dynamics/control/StepControl.hpp"
-#include "dynamics/observables/FaultSample.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
-#include "scenario/FloorCount.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/RunView.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <map>
-#include <memory>
 #include <string>
 
 namespace asperity::scenario
 {
-// The present state of a run, from which outputs read; the simulation keeps it up to date.
-struct RunView
-{
-  dynamics::State const* state = nullptr;
-  dynamics::FaultSample const* fault = nullptr; // of that state
-  // Computes the state of the whole body from that of a condensed model; null without condensation.
-  dynamics::StaticCondensation const* condensation = nullptr;
-  std::shared_ptr<dynamics::RecoveryRows> recovery_rows; // of the condensation, for receivers
-  dynamics::EnergyBalance const* balance = nullptr;
-  FloorCount const* floor_count = nullptr;
-  dynamics::AcceptedStep step;
-  dynamics::SolveCount count; // of the last step alone
-};
-
 // The domains of the outputs by name: fault, volume and, if the deck has one, the free surface.
 // Collective.
 template <int Dim>

@@ -46,8 +46,8 @@ std::vector<Warning> warnOfDrive(Problem<Dim> const& problem, ParameterList cons
       if (!isGiven(condition.list, entry)) {
         continue;
       }
-      const double rate = maxOverRanks(largest(boundaryField(condition, entry, problem.mesh), end),
-                                       *problem.communicator);
+      const double rate = maxOverRanks(
+        largest(boundaryField(condition, entry, problem.mesh()), end), *problem.communicator);
       if (rate > fastest) {
         warnings.push_back(
           {"rate of a drive",

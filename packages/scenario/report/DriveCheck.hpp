@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <vector>
 

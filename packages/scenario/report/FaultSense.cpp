@@ -205,18 +205,18 @@ struct MeanFault
 template <int Dim>
 MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::string const& name)
 {
-  auto const& surface = *problem.surface;
-  auto const normal = fem::integrateNormal(problem.mesh, {name}, *problem.communicator);
-  MeanFault fault{{scaled(normal.normal, -1), Dim, problem.components}};
+  auto const& surface = problem.surface();
+  auto const normal = fem::integrateNormal(problem.mesh(), {name}, *problem.communicator);
+  MeanFault fault{{scaled(normal.normal, -1), Dim, problem.components()}};
   fault.has_sides = length(normal.normal) > opposite * normal.measure;
   if (!fault.has_sides) {
     return fault;
   }
   fault.sides.plus = scaled(fault.sides.plus, 1 / length(normal.normal));
   std::vector<double> sums(7, 0.); // of weighted tangents, plate rates and weights
-  auto const vertices = mesh::boundaryVertices(problem.mesh, name);
+  auto const vertices = mesh::boundaryVertices(problem.mesh(), name);
   for (const int vertex : vertices) {
-    const int node = vertex < problem.mesh.num_owned ? surface.nodeAt(vertex) : -1;
+    const int node = vertex < problem.mesh().num_owned ? surface.nodeAt(vertex) : -1;
     for (int k = 0; node >= 0 && k < surface.numTangents(); ++k) {
       const double weight = surface[node].weight;
       for (int d = 0; d < 3; ++d) {
@@ -229,16 +229,16 @@ MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::st
   sums = sumOverRanks(sums, *problem.communicator);
   fault.plates = scaled({sums[3], sums[4], sums[5]}, sums[6] > 0 ? 1 / sums[6] : 0);
   const Vector3 tangent = {sums[0], sums[1], sums[2]};
-  if (Dim == 2 && problem.components == 2 && length(tangent) > 0) {
+  if (Dim == 2 && problem.components() == 2 && length(tangent) > 0) {
     fault.sides.tangent = scaled(tangent, 1 / length(tangent));
   }
   auto const& bulk = deck.sublist("Bulk");
   fault.sides.is_section =
-    problem.components == 2 && bulk.get<double>("Gravitational Acceleration") > 0;
+    problem.components() == 2 && bulk.get<double>("Gravitational Acceleration") > 0;
   // Without gravity a plane may be a map; then +y counts as up in a section.
-  fault.sides.up = fault.sides.is_section                ? scaled(problem.upright.down, -1)
-                   : Dim == 2 && problem.components == 2 ? Vector3{0, 1, 0}
-                                                         : problem.upright.up;
+  fault.sides.up = fault.sides.is_section ? scaled(problem.discretisation.upright.down, -1)
+                   : Dim == 2 && problem.components() == 2 ? Vector3{0, 1, 0}
+                                                           : problem.discretisation.upright.up;
   auto const& output = deck.sublist("Output");
   if (output.isParameter("East")) {
     auto const east = output.get<Teuchos::Array<double>>("East");
@@ -266,7 +266,7 @@ template <int Dim>
 std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
                        ParameterList const& deck, std::string const& fault)
 {
-  auto const& given = problem.boundary.given_slip;
+  auto const& given = problem.discretisation.boundary.given_slip;
   if (std::find(given.begin(), given.end(), fault) == given.end()) {
     return rakeAlong(sides, deck.sublist("Friction"), "Slip Direction", "Shear Traction");
   }
@@ -283,13 +283,13 @@ std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
 template <int Dim>
 std::string senseOfRing(Problem<Dim> const& problem)
 {
-  if (!problem.surface->otherSide().is_inside) {
+  if (!problem.surface().otherSide().is_inside) {
     return "its plus side is the body";
   }
   return std::string("its plus side is the outside") +
-         (Dim == 3                  ? ""
-          : problem.components == 2 ? "; positive slip runs counterclockwise, seen against +z"
-                                    : "; positive slip moves it along +z, out of the plane");
+         (Dim == 3                    ? ""
+          : problem.components() == 2 ? "; positive slip runs counterclockwise, seen against +z"
+                                      : "; positive slip moves it along +z, out of the plane");
 }
 
 std::string ofPlates(MeanFault const& fault, int dimension)
@@ -315,7 +315,7 @@ template <int Dim>
 std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck)
 {
   std::vector<std::string> lines;
-  auto const& upright = problem.upright;
+  auto const& upright = problem.discretisation.upright;
   if (Dim == 3 || gravityActs(deck.sublist("Bulk"))) {
     std::string line = "Up is " + directionText(upright.up, Dim) + ", " + upright.reason;
     if (gravityActs(deck.sublist("Bulk"))) {
@@ -323,8 +323,8 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
     }
     lines.push_back(line + ".");
   }
-  auto const& surface = *problem.surface;
-  for (auto const& name : problem.boundary.faults) {
+  auto const& surface = problem.surface();
+  for (auto const& name : problem.discretisation.boundary.faults) {
     auto const fault = meanOf(problem, deck, name);
     if (!fault.has_sides) {
       lines.push_back("Fault '" + name + "': " + senseOfRing(problem) + ".");
@@ -345,7 +345,7 @@ template <int Dim>
 bool haveOneSense(Problem<Dim> const& problem, ParameterList const& deck)
 {
   std::optional<FaultSides> first;
-  for (auto const& name : problem.boundary.faults) {
+  for (auto const& name : problem.discretisation.boundary.faults) {
     auto const fault = meanOf(problem, deck, name);
     if (!fault.has_sides) {
       continue;

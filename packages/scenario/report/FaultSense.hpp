@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <array>
 #include <string>

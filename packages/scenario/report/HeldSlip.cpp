@@ -28,20 +28,20 @@ template <int Dim>
 std::vector<bool> heldNodes(Problem<Dim> const& problem,
                             std::vector<BoundaryCondition> const& conditions)
 {
-  auto const& surface = *problem.surface;
+  auto const& surface = problem.surface();
   std::vector<bool> held;
   for (int node = 0; node < surface.numNodes(); ++node) {
     held.push_back(!surface.counts(node));
   }
-  for (auto const& pair : problem.mesh.splits) {
-    const int node = pair.plus < problem.mesh.num_owned ? surface.nodeAt(pair.plus) : -1;
+  for (auto const& pair : problem.mesh().splits) {
+    const int node = pair.plus < problem.mesh().num_owned ? surface.nodeAt(pair.plus) : -1;
     if (pair.is_tip && node >= 0) {
       held[node] = false;
     }
   }
   for (auto const& condition : conditions) {
     if (condition.type->place == ConditionPlace::continuation) {
-      auto const vertices = mesh::boundaryVertices(problem.mesh, condition.boundary);
+      auto const vertices = mesh::boundaryVertices(problem.mesh(), condition.boundary);
       for (int node = 0; node < surface.numNodes(); ++node) {
         held[node] = held[node] && !isAmong(vertices, surface[node]);
       }
@@ -54,11 +54,11 @@ std::vector<bool> heldNodes(Problem<Dim> const& problem,
 template <int Dim>
 std::vector<double> prescribedRates(Problem<Dim> const& problem, double end)
 {
-  auto const& surface = *problem.surface;
+  auto const& surface = problem.surface();
   std::vector<double> largest(surface.numNodes(), 0.);
-  auto const v = problem.body.vector();
+  auto const v = problem.model.body.vector();
   for (int i = 0; i <= num_times; ++i) {
-    problem.body.prescribed_velocity(end * i / num_times, *v);
+    problem.model.body.prescribed_velocity(end * i / num_times, *v);
     auto const values = v->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (int node = 0; node < surface.numNodes(); ++node) {
       double square = 0;
@@ -86,7 +86,7 @@ template <int Dim>
 HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool>& held,
                 std::vector<double> const& rates, std::vector<int> const& vertices)
 {
-  auto const& surface = *problem.surface;
+  auto const& surface = problem.surface();
   HeldEnd end;
   std::vector<double> mine;
   for (int node = 0; node < surface.numNodes(); ++node) {
@@ -117,7 +117,7 @@ template <int Dim>
 void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
                       Description& description)
 {
-  if (problem.surface->numSliding() == 0) {
+  if (problem.surface().numSliding() == 0) {
     return;
   }
   // A corner between a boundary that is held in all directions and a wall is told of by the former.
@@ -131,7 +131,7 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
       continue;
     }
     auto const end =
-      heldEnd(problem, held, rates, mesh::boundaryVertices(problem.mesh, condition.boundary));
+      heldEnd(problem, held, rates, mesh::boundaryVertices(problem.mesh(), condition.boundary));
     if (end.num_nodes == 0) {
       continue;
     }

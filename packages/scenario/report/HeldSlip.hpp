@@ -1,6 +1,7 @@
 #pragma once
 
-#include "scenario/report/RunReport.hpp"
+#include "scenario/problem/Problem.hpp"
+#include "scenario/report/Description.hpp"
 
 namespace asperity::scenario
 {

@@ -90,14 +90,14 @@ CellCount countCells(Mesh<Dim> const& mesh, Communicator const& communicator)
 template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem)
 {
-  const auto cells = countCells(problem.mesh, *problem.communicator);
+  const auto cells = countCells(problem.mesh(), *problem.communicator);
   const double unknowns =
-    static_cast<double>(problem.mesh.num_global_vertices) * problem.components;
+    static_cast<double>(problem.mesh().num_global_vertices) * problem.components();
   const double peak = sumOverRanks(peakBytes(), *problem.communicator);
   std::ostringstream mesh, memory;
   mesh.precision(12);
   mesh << "Mesh: " << cells.number << (Dim == 2 ? " triangles, " : " tetrahedra, ")
-       << problem.mesh.num_global_vertices << " vertices, " << unknowns
+       << problem.mesh().num_global_vertices << " vertices, " << unknowns
        << " unknowns; cells have diameters of " << rounded(cells.smallest) << " to "
        << rounded(cells.largest) << " m.";
   memory << "Memory: " << rounded(peak / 1e6) << " MB on all ranks with mesh and matrices; ";
@@ -165,9 +165,9 @@ template <int Dim>
 std::optional<Warning> warnOfCellShape(Problem<Dim> const& problem)
 {
   constexpr double too_high = 4;
-  auto const& surface = *problem.surface;
+  auto const& surface = problem.surface();
   const double height =
-    surface.numGlobalNodes() > 0 ? dynamics::highestCells(problem.mesh, surface) : 0;
+    surface.numGlobalNodes() > 0 ? dynamics::highestCells(problem.mesh(), surface) : 0;
   if (height <= too_high) {
     return std::nullopt;
   }
@@ -256,10 +256,10 @@ double defaultStep(dynamics::FaultResolution const& resolution, ParameterList co
 template <int Dim>
 double crossingTime(Problem<Dim> const& problem)
 {
-  auto const diameters = mesh::cellDiameters(problem.mesh);
+  auto const diameters = mesh::cellDiameters(problem.mesh());
   double shortest = std::numeric_limits<double>::infinity();
   for (std::size_t cell = 0; cell < diameters.size(); ++cell) {
-    auto const& material = problem.materials[cell];
+    auto const& material = problem.discretisation.rock.materials[cell];
     shortest = std::min(shortest, diameters[cell] * material.density / material.shearImpedance());
   }
   return minOverRanks(shortest, *problem.communicator);
@@ -286,7 +286,7 @@ double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& dec
   if (time.isParameter(step_name)) {
     return time.get<double>(step_name);
   }
-  if (!problem.fault.stateDecides()) {
+  if (!problem.model.fault.stateDecides()) {
     return defaultWithoutState(problem, deck);
   }
   ASPERITY_REQUIRE(problem.scales.resolution,
@@ -305,7 +305,7 @@ template <int Dim>
 double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
 {
   const double step = stepOfDeckOrDefault(problem, deck);
-  for (auto const& branch : problem.branches) {
+  for (auto const& branch : problem.discretisation.rock.branches) {
     ASPERITY_REQUIRE(branch.time >= far_below * step,
                      bulk_path << ": a relaxation time, " << branch.time
                                << " s, is less than a thousandth of the smallest step, " << step
@@ -332,7 +332,7 @@ void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck
 {
   auto const& time = deck.sublist("Time Stepping");
   auto const& resolution = problem.scales.resolution;
-  if (!problem.fault.stateDecides() && !time.isParameter(step_name)) {
+  if (!problem.model.fault.stateDecides() && !time.isParameter(step_name)) {
     description.lines.push_back(step_name + (" = " + formatShort(smallestStep(problem, deck))) +
                                 " s by default, since no state of the fault decides on steps.");
   }

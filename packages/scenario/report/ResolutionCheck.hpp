@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dynamics/checks/FaultResolution.hpp"
-#include "scenario/Problem.hpp"
-#include "scenario/report/RunReport.hpp"
+#include "scenario/problem/Problem.hpp"
+#include "scenario/report/Description.hpp"
 
 #include <string>
 #include <vector>

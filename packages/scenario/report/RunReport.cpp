@@ -87,8 +87,8 @@ void warnOfTolerance(ParameterList const& time_stepping, Description& descriptio
 template <int Dim>
 bool hasTip(Problem<Dim> const& problem, std::string const& boundary)
 {
-  auto const vertices = mesh::boundaryVertices(problem.mesh, boundary);
-  auto const& pairs = problem.mesh.splits;
+  auto const vertices = mesh::boundaryVertices(problem.mesh(), boundary);
+  auto const& pairs = problem.mesh().splits;
   const bool here = std::any_of(pairs.begin(), pairs.end(), [&](SplitVertex const& pair) {
     return pair.is_tip && std::binary_search(vertices.begin(), vertices.end(), pair.plus);
   });
@@ -132,16 +132,16 @@ void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
 template <int Dim>
 Description describe(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  Description description{describeEnvironment(*problem.communicator), problem.warnings};
+  Description description{describeEnvironment(*problem.communicator), problem.findings.warnings};
   auto& lines = description.lines;
   std::ostringstream first;
   auto const& bulk = deck.sublist("Bulk");
   first << bulk.get<std::string>("Model") << ", "
         << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
-        << problem.mesh.num_global_vertices << " vertices, "
-        << (problem.surface->numGlobalNodes() > 0
-              ? std::to_string(problem.surface->numGlobalNodes()) + " of them on the fault '" +
-                  problem.surface->name() + "'."
+        << problem.mesh().num_global_vertices << " vertices, "
+        << (problem.surface().numGlobalNodes() > 0
+              ? std::to_string(problem.surface().numGlobalNodes()) + " of them on the fault '" +
+                  problem.surface().name() + "'."
               : "no fault.");
   lines.push_back(first.str());
   auto const& friction = deck.sublist("Friction");
@@ -152,27 +152,27 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
     ". Time stepping: " + deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
     deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
-  if (!problem.boundary.given_slip.empty()) {
+  if (!problem.discretisation.boundary.given_slip.empty()) {
     lines.push_back(
-      "The slip rate is prescribed on " + quotedNames(problem.boundary.given_slip) +
-      (problem.surface->numSliding() > 0 ? "." : ", hence everywhere: friction decides nowhere."));
+      "The slip rate is prescribed on " + quotedNames(problem.discretisation.boundary.given_slip) +
+      (problem.surface().numSliding() > 0 ? "." : ", hence everywhere: friction decides nowhere."));
   }
-  if (!problem.branches.empty()) {
+  if (!problem.discretisation.rock.branches.empty()) {
     std::string times;
-    for (auto const& branch : problem.branches) {
+    for (auto const& branch : problem.discretisation.rock.branches) {
       times += (times.empty() ? "" : ", ") + formatShort(branch.time);
     }
     lines.push_back("Shear stress in the rock relaxes within " + times + " s.");
   }
   const auto size = describeSize(problem);
   lines.insert(lines.end(), size.begin(), size.end());
-  describeWedge(deck, problem.upright.down, description);
+  describeWedge(deck, problem.discretisation.upright.down, description);
   const auto sense = describeSense(problem, deck);
   lines.insert(lines.end(), sense.begin(), sense.end());
   if (auto const of_shape = warnOfCellShape(problem)) {
     description.warnings.push_back(*of_shape);
   }
-  lines.insert(lines.end(), problem.remarks.begin(), problem.remarks.end());
+  lines.insert(lines.end(), problem.findings.remarks.begin(), problem.findings.remarks.end());
   if (auto const& resolution = problem.scales.resolution) {
     auto const state_law = friction.get<std::string>("State Evolution");
     auto const of_fault =

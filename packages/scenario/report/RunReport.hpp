@@ -4,25 +4,18 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "dynamics/observables/EnergyBalance.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
+#include "scenario/report/Description.hpp"
 
-#include <iosfwd>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace asperity::scenario
 {
 // Lines for the log about the machine, the model and how well the mesh resolves it, and warnings.
 // Collective.
-struct Description
-{
-  std::vector<std::string> lines;
-  std::vector<Warning> warnings;
-};
 template <int Dim>
 Description describe(Problem<Dim> const& problem, ParameterList const& deck);
-void print(Description const& description, std::ostream& stream);
 
 struct RunSummary
 {

@@ -34,12 +34,12 @@ constexpr char const* in_m =
 template <int Dim>
 BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  auto const& mesh = problem.mesh;
+  auto const& mesh = problem.mesh();
   auto const sides = mesh::sidesOfBox<Dim>(mesh.vertices, *problem.communicator);
   auto const diameters = mesh::cellDiameters(mesh);
   std::vector<double> times(2, std::numeric_limits<double>::infinity()); // -slowness, of cells
   for (std::size_t c = 0; c < diameters.size(); ++c) {
-    auto const& rock = problem.materials[c];
+    auto const& rock = problem.discretisation.rock.materials[c];
     const double slowness = std::sqrt(rock.density / rock.shear_modulus);
     times[0] = std::min(times[0], -slowness);
     times[1] = std::min(times[1], diameters[c] * slowness);
@@ -135,7 +135,7 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, Parameter
 {
   constexpr double small_strain = 0.05;
   const double end = finalTime(deck.sublist("Time Stepping"));
-  auto const& names = problem.boundary.given_slip;
+  auto const& names = problem.discretisation.boundary.given_slip;
   for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
     auto const& name = condition.boundary;
     if (std::find(names.begin(), names.end(), name) == names.end() ||
@@ -143,12 +143,12 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, Parameter
       continue;
     }
     std::vector<Point<Dim>> places;
-    for (const int vertex : mesh::boundaryVertices(problem.mesh, name)) {
-      places.push_back(problem.mesh.vertices[vertex]);
+    for (const int vertex : mesh::boundaryVertices(problem.mesh(), name)) {
+      places.push_back(problem.mesh().vertices[vertex]);
     }
     auto const sides = mesh::sidesOfBox<Dim>(places, *problem.communicator);
     const double extent = *std::max_element(sides.begin(), sides.end());
-    auto const rate = boundaryField(condition, "Slip Rate", problem.mesh);
+    auto const rate = boundaryField(condition, "Slip Rate", problem.mesh());
     const double slip = maxOverRanks(largestSlip(rate, end), *problem.communicator);
     if (slip > small_strain * extent) {
       return {

@@ -13,14 +13,14 @@ template <int Dim>
 NodeSets nodeSets(Problem<Dim> const& problem,
                   std::map<std::string, io::OutputDomain> const& domains)
 {
-  auto const& ids = problem.mesh.global_ids;
+  auto const& ids = problem.mesh().global_ids;
   NodeSets sets;
-  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem.mesh.num_owned);
-  for (const int vertex : problem.surface->vertices()) {
+  sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem.mesh().num_owned);
+  for (const int vertex : problem.surface().vertices()) {
     sets[nodes_of_friction].push_back(ids[vertex]);
   }
-  if (problem.body.cells) {
-    sets[yielding_cells] = problem.body.cells->sharing().numbers();
+  if (problem.model.body.cells) {
+    sets[yielding_cells] = problem.model.body.cells->sharing().numbers();
   }
   for (auto const& [name, domain] : domains) {
     sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());

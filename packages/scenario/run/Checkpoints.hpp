@@ -3,7 +3,7 @@
 #include "io/OutputDomain.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <chrono>
 #include <cstdint>

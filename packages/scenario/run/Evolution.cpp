@@ -43,7 +43,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     : communicator_(communicator)
     , problem_(makeProblem<Dim>(deck, communicator))
     , condensation_(makeCondensation(problem_, deck))
-    , model_(condensation_ ? condensation_->model() : problem_)
+    , model_(condensation_ ? condensation_->model() : problem_.model)
     , clock_(makeClock(deck.sublist("Time Stepping"), smallestStep(problem_, deck)))
     , end_(clock_.reaching(scenario::finalTime(deck.sublist("Time Stepping"))))
     , coupled_step_(makeCoupledStep(deck, problem_, model_, clock_))
@@ -59,9 +59,9 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   // Strainmeters resolve a hundred times that; a velocity over c_s, ten times the largest slip rate
   // that is plausible, is a strain, too.
   constexpr double least_strain = 1e-12;
-  auto const sides = mesh::sidesOfBox<Dim>(problem_.mesh.vertices, *communicator_);
+  auto const sides = mesh::sidesOfBox<Dim>(problem_.mesh().vertices, *communicator_);
   control_->setStart(model_.initial.u, least_strain * *std::max_element(sides.begin(), sides.end()),
-                     least_strain * 10 * problem_.largest_slip_rate);
+                     least_strain * 10 * problem_.findings.largest_slip_rate);
   control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
   view_.fault = &sample_;
@@ -83,7 +83,7 @@ dynamics::Watches Evolution<Dim>::makeWatches(ParameterList const& deck) const
   return dynamics::Watches({model_.body, model_.fault, across, deck,
                             stepTolerance(deck.sublist("Time Stepping")), control_->adapts(),
                             scales.zone, scales.weakening, scales.slipDistance(), scales.slowRate(),
-                            problem_.largest_slip_rate, places});
+                            problem_.findings.largest_slip_rate, places});
 }
 
 // An overstressed patch, or one that starts to slip against the load, is smaller.
@@ -129,7 +129,7 @@ void Evolution<Dim>::start()
 template <int Dim>
 void Evolution<Dim>::startFrom(Archive const& state)
 {
-  state_ = StateFormat(problem_, condensation_.get(), clock_).load(state, "state");
+  state_ = StateFormat(problem_.model, condensation_.get(), clock_).load(state, "state");
   start();
 }
 
@@ -137,7 +137,7 @@ template <int Dim>
 void Evolution<Dim>::restore(Archive const& checkpoint)
 {
   const auto level = static_cast<int>(checkpoint.getInteger("finest_level"));
-  const StateFormat states(problem_, condensation_.get(), clock_, level);
+  const StateFormat states(problem_.model, condensation_.get(), clock_, level);
   state_ = states.load(checkpoint, "state");
   control_->restore(checkpoint.child("control"), states);
   if (level != clock_.finestLevel()) {
@@ -158,7 +158,7 @@ void Evolution<Dim>::restore(Archive const& checkpoint)
 template <int Dim>
 void Evolution<Dim>::save(Archive& checkpoint) const
 {
-  const StateFormat states(problem_, condensation_.get(), clock_);
+  const StateFormat states(problem_.model, condensation_.get(), clock_);
   states.save(checkpoint, "state", state_);
   Archive control;
   control_->save(control, states);
@@ -248,12 +248,12 @@ int Evolution<Dim>::numEliminated() const
 template <int Dim>
 std::string Evolution<Dim>::placeOf(int vertex) const
 {
-  if (condensation_ && vertex >= problem_.surface->numNodes()) {
+  if (condensation_ && vertex >= problem_.surface().numNodes()) {
     return "the boundaries that move";
   }
-  vertex = condensation_ ? problem_.surface->vertex(vertex) : vertex;
-  return "node " + std::to_string(problem_.mesh.global_ids[vertex]) + ", " +
-         mesh::text(problem_.mesh.vertices[vertex]);
+  vertex = condensation_ ? problem_.surface().vertex(vertex) : vertex;
+  return "node " + std::to_string(problem_.mesh().global_ids[vertex]) + ", " +
+         mesh::text(problem_.mesh().vertices[vertex]);
 }
 
 // Checks the step that has just been made: nan spreads quickly, and the first place tells most.

@@ -6,9 +6,9 @@
 #include "io/Output.hpp"
 #include "scenario/Condensation.hpp"
 #include "scenario/FloorCount.hpp"
-#include "scenario/OutputFields.hpp"
-#include "scenario/Problem.hpp"
 #include "scenario/RunArchive.hpp"
+#include "scenario/RunView.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "scenario/report/RunReport.hpp"
 
 #include <memory>

@@ -42,7 +42,7 @@ template <int Dim>
 std::vector<std::size_t> nodesOfFriction(Problem<Dim> const& problem,
                                          io::OutputDomain const& domain)
 {
-  auto const of_friction = problem.surface->vertices();
+  auto const of_friction = problem.surface().vertices();
   std::map<int, std::size_t> places;
   for (std::size_t i = 0; i < of_friction.size(); ++i) {
     places[of_friction[i]] = i;
@@ -82,12 +82,12 @@ template <int Dim>
 Values unknowns(Problem<Dim> const& problem, std::vector<int> const& vertices,
                 Values const& along_axes)
 {
-  const auto components = static_cast<std::size_t>(problem.components);
-  Values vectors(problem.mesh.num_owned * components, 0);
+  const auto components = static_cast<std::size_t>(problem.components());
+  Values vectors(problem.mesh().num_owned * components, 0);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     std::copy_n(&along_axes[i * components], components, &vectors[vertices[i] * components]);
   }
-  return fem::unknownsOf(problem.constraints->frames(), std::move(vectors));
+  return fem::unknownsOf(problem.discretisation.frames(), std::move(vectors));
 }
 
 Values reordered(Values const& values, std::vector<std::size_t> const& order)
@@ -128,15 +128,18 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
   }
   requireSame("Asperity / Bulk / Model", deck.sublist("Bulk").get<std::string>("Model"),
               other.sublist("Bulk").get<std::string>("Model"), run);
-  requireSame("The relaxation times of the rock in s (Asperity / Bulk)", timesOf(here.branches),
-              timesOf(there.branches), run);
-  ASPERITY_REQUIRE(!here.body.cells && !there.body.cells,
+  requireSame("The relaxation times of the rock in s (Asperity / Bulk)",
+              timesOf(here.discretisation.rock.branches),
+              timesOf(there.discretisation.rock.branches), run);
+  ASPERITY_REQUIRE(!here.model.body.cells && !there.model.body.cells,
                    "--restart-from "
                      << run
                      << ": a state with rock that yields goes to no other run (Asperity / Bulk / "
                         "Law). Continue the run itself with --restart.");
   const auto kindOf = [](Problem<Dim> const& problem) {
-    return problem.boundary.faults.empty() ? "no fault" : faultKindOf(problem.surface->otherSide());
+    return problem.discretisation.boundary.faults.empty()
+             ? "no fault"
+             : faultKindOf(problem.surface().otherSide());
   };
   requireSame("The kind of the fault (Asperity / Boundary Conditions)", kindOf(here), kindOf(there),
               run);
@@ -146,7 +149,7 @@ template <int Dim>
 Archive checkpointOf(std::filesystem::path const& file, Problem<Dim> const& problem,
                      Domains const& domains, ParameterList const& deck)
 {
-  return io::readCheckpoint(file, fingerprint(deck, problem.mesh, *problem.communicator),
+  return io::readCheckpoint(file, fingerprint(deck, problem.mesh(), *problem.communicator),
                             *problem.communicator, nodeSets(problem, domains));
 }
 
@@ -177,15 +180,15 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
       if (info.counts_from_start) {
         field->update(-1, *start, 1);
       }
-      there.push_back(
-        fem::alongAxes(other.constraints->frames(), *other.body.dofs, *field, from.vertices));
+      there.push_back(fem::alongAxes(other.discretisation.frames(), *other.discretisation.dofs,
+                                     *field, from.vertices));
     },
-    state, other.initial);
+    state, other.model.initial);
   catalogue::Interpolation in_body(from, to, run.string());
-  if (!problem.mesh.faults.empty()) {
-    in_body.searchAt(pointsInCells(problem.mesh, to.vertices));
+  if (!problem.mesh().faults.empty()) {
+    in_body.searchAt(pointsInCells(problem.mesh(), to.vertices));
   }
-  auto const here = in_body(there, problem.components);
+  auto const here = in_body(there, problem.components());
   auto carried = here.begin();
   State::visitBody(
     [&](FieldInfo const& info, RCP<Vector> const& start) {
@@ -194,7 +197,7 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
                                           ? sum(values, 1, toVector(dynamics::valuesOf(start)))
                                           : values);
     },
-    problem.initial);
+    problem.model.initial);
 }
 
 // Sets the fields of the fault in the archive.
@@ -212,7 +215,7 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
     }
     return names;
   };
-  ASPERITY_REQUIRE(namesOf(state) == namesOf(problem.initial),
+  ASPERITY_REQUIRE(namesOf(state) == namesOf(problem.model.initial),
                    "--restart-from: the processes on the fault of "
                      << run.string() << " are not those of the deck. Enable the same ones.");
   State::visitFault(
@@ -228,7 +231,7 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
       archive.set("state/" + info.name,
                   info.counts_from_start ? sum(toVector(start_here), 1, here) : here);
     },
-    state, other.initial, problem.initial);
+    state, other.model.initial, problem.model.initial);
 }
 } // namespace
 
@@ -255,7 +258,7 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
     makeClock(other_deck->sublist("Time Stepping"), smallestStep(other, *other_deck));
   auto const checkpoint =
     checkpointOf(is_folder ? run / "checkpoint.h5" : run, other, other_domains, *other_deck);
-  auto const state = StateFormat(other, nullptr, other_clock).load(checkpoint, "state");
+  auto const state = StateFormat(other.model, nullptr, other_clock).load(checkpoint, "state");
   const double time = other_clock.seconds(state.time);
   ASPERITY_REQUIRE(time < end, "Asperity / Time Stepping / Final Time = "
                                  << end << " s is not after the state of --restart-from "

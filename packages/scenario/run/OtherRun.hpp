@@ -3,7 +3,7 @@
 #include "base/Archive.hpp"
 #include "dynamics/DyadicTime.hpp"
 #include "io/OutputDomain.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <filesystem>
 #include <map>

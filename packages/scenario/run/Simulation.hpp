@@ -1,36 +1,55 @@
 #pragma once
 
-#include "base/Types.hpp"
-#include "parameters/Parameters.hpp"
-#include "scenario/deck/CommandLine.hpp"
-#include "scenario/report/RunReport.hpp"
+#include "base/Archive.hpp"
+#include "base/parallel/MeetingPoint.hpp"
+#include "base/program/Signals.hpp"
+#include "io/files/OutputDirectory.hpp"
+#include "io/files/RunRecord.hpp"
+#include "scenario/run/PreparedRun.hpp"
 
-#include <filesystem>
-#include <memory>
+#include <exception>
+#include <string>
 
 namespace asperity::scenario
 {
-// A run: a problem, its steps, and the files that it writes to a directory.
+// A run with the directory that it writes to.
+template <int Dim>
 class Simulation
 {
 public:
-  virtual ~Simulation() = default;
+  // Reads the checkpoint of a restart, takes the directory and begins its log. A checkpoint of
+  // another deck is refused before any file is touched. Outputs that cannot be continued are
+  // refused before the log and the parameters are touched; other tables may have been cut back to
+  // the checkpoint by then, as any restart does. `prepared` must outlive this. Collective.
+  Simulation(PreparedRun<Dim>& prepared, CommandLine const& command_line);
 
   // Runs to the final time, or until SIGTERM or SIGINT. Returns the exit status
   // (base/program/MpiScope.hpp). Throws SolveError if even the smallest step fails; the last good
-  // state is on disk then.
-  virtual int run() = 0;
+  // state is on disk then. Collective.
+  int run();
 
-  // The first lines of the log, see RunReport.hpp. Collective.
-  virtual Description description() const = 0;
+private:
+  void describeStart();
+  void recordFault();
+  int makeSteps(StopSignals const& signals);
+  void begin();
+  void advance();
+  void write(io::StepInfo const& info);
+  void recordProgress(io::StepInfo const& info);
+  void writeCheckpoint();
+  void watch();
+  void endEarly(std::exception const& error);
+  void saveWhatThereIs();
+  void report(bool finished);
+
+  PreparedRun<Dim>& prepared_;
+  Evolution<Dim>& evolution_; // of prepared_
+  io::OutputSet& outputs_;    // of prepared_
+  MeetingPoint meeting_point_;
+  std::string restart_, restart_from_;
+  Archive start_;          // of a restart, or the state of another run, until it begins
+  io::DirectoryLock lock_; // on rank 0
+  io::RunRecord record_;
+  bool step_is_complete_ = false; // counted in the energy balance and written to the outputs
 };
-
-// `deck` must be complete. Unless the command line says --validate, reads the checkpoint of a
-// restart and prepares the directory. Collective.
-std::unique_ptr<Simulation> makeSimulation(RCP<ParameterList> const& deck,
-                                           CommandLine const& command_line,
-                                           RCP<const Communicator> const& communicator);
-
-// The directory of the results: that of the command line, or results/<name of the deck>.
-std::filesystem::path outputDirectory(CommandLine const& command_line);
 } // namespace asperity::scenario

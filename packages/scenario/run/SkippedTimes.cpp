@@ -17,12 +17,12 @@ std::vector<std::array<double, 3>> placesOfLoads(Problem<Dim> const& problem)
 {
   constexpr std::size_t most = 100; // of each kind
   std::vector<std::array<double, 3>> places;
-  auto const& nodes = *problem.surface;
+  auto const& nodes = problem.surface();
   const int num_nodes = nodes.numNodes();
   for (int node = 0; node < num_nodes; node += 1 + num_nodes / static_cast<int>(most)) {
     places.push_back(nodes[node].place);
   }
-  auto const& vertices = problem.mesh.vertices;
+  auto const& vertices = problem.mesh().vertices;
   for (std::size_t v = 0; v < vertices.size(); v += 1 + vertices.size() / most) {
     places.push_back(inSpace<Dim>(vertices[v]));
   }

@@ -4,7 +4,7 @@
 #include "dynamics/control/Watch.hpp"
 #include "parameters/Parameters.hpp"
 #include "parameters/fields/Expression.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <array>
 #include <memory>

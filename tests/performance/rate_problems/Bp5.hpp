@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/coupling/FrictionProblem.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <string>
 #include <vector>

@@ -55,16 +55,16 @@ struct Solved
 Solved solve(scenario::Problem<3> const& problem, Phase phase, CrsMatrix const& Z,
              dynamics::RateSolver& solver)
 {
-  auto const& body = problem.body;
+  auto const& body = problem.model.body;
   auto const known = body.vector(), b = body.vector(), zero = body.vector(), v = body.vector();
   {
     auto const values = known->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (int node = 0; node < problem.mesh.num_owned; ++node) {
-      auto const& x = problem.mesh.vertices[node];
+    for (int node = 0; node < problem.mesh().num_owned; ++node) {
+      auto const& x = problem.mesh().vertices[node];
       const Point<3> along_axes = {
-        slipRate(phase, x) / problem.surface->slipFactor() * std::exp(-x[2] / size), 0, 0};
+        slipRate(phase, x) / problem.surface().slipFactor() * std::exp(-x[2] / size), 0, 0};
       Point<3> local;
-      problem.constraints->frames().toFrame(node, along_axes.data(), local.data());
+      problem.discretisation.frames().toFrame(node, along_axes.data(), local.data());
       for (int c = 0; c < 3; ++c) {
         values(body.dofs->dof(node, c), 0) = local[c];
       }
@@ -72,13 +72,13 @@ Solved solve(scenario::Problem<3> const& problem, Phase phase, CrsMatrix const& 
   }
   body.clearHeld(*known);
   std::vector<double> alpha;
-  for (auto const& node : *problem.surface) {
+  for (auto const& node : problem.surface()) {
     alpha.push_back(std::log(reference / slipRate(phase, node.place)));
   }
-  const dynamics::FrictionProblem friction{problem.fault.friction(),
-                                           {toDevice(alpha, "alpha"), problem.initial.sigma_n}};
+  const dynamics::FrictionProblem friction{
+    problem.model.fault.friction(), {toDevice(alpha, "alpha"), problem.model.initial.sigma_n}};
   Z.apply(*known, *b);
-  addFrictionForces(*problem.surface, friction, *known, *b);
+  addFrictionForces(problem.surface(), friction, *known, *b);
   body.clearHeld(*b);
   solver.begin(*b, *zero); // from rest
   Solved solved;
@@ -100,9 +100,11 @@ std::vector<Solved> solveAll(int cell_size, std::string const& correction_tolera
   auto const update = scenario::makeRateUpdate(deck->sublist("Time Stepping"), false);
   std::vector<Solved> all;
   for (double tau : {1e5, 1.}) {
-    auto const Z = fem::combine(problem.body.matrices, update.weights(tau, problem.body.matrices),
-                                problem.body.held);
-    auto const solver = dynamics::makeRateSolver(Z, problem.body, *problem.surface, problem.solver);
+    auto const Z =
+      fem::combine(problem.model.body.matrices, update.weights(tau, problem.model.body.matrices),
+                   problem.model.body.held);
+    auto const solver =
+      dynamics::makeRateSolver(Z, problem.model.body, problem.surface(), problem.solver);
     for (auto phase : {Phase::stuck, Phase::nucleating, Phase::rupturing}) {
       all.push_back(solve(problem, phase, *Z, *solver));
     }

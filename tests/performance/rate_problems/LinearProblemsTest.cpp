@@ -90,13 +90,13 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
   auto const update = scenario::makeRateUpdate(time, false);
   auto const clock = scenario::makeClock(time);
   const auto budget = scenario::memoryBudget(deck->sublist("TNNMG"));
-  dynamics::CoupledStep step(problem.body, problem.fault, update, clock,
+  dynamics::CoupledStep step(problem.model.body, problem.model.fault, update, clock,
                              dynamics::CouplingSettings::from(deck->sublist("Coupling"), 0),
                              problem.solver, budget);
   auto const control = scenario::makeStepControl(time, {}, step);
-  dynamics::StepSolvers solvers(problem.body, *problem.surface, update, clock, problem.solver,
-                                budget);
-  auto state = problem.initial.clone();
+  dynamics::StepSolvers solvers(problem.model.body, problem.surface(), update, clock,
+                                problem.solver, budget);
+  auto state = problem.model.initial.clone();
   dynamics::SolveCount of_run, coupled;
   std::int64_t rate_cycles = 0, linear_cycles = 0;
   for (int i = 0; i < 4; ++i) {
@@ -110,20 +110,21 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
     ASSERT_TRUE(step.solve(state, level, end, coupled).solved());
     // 3. The rate problem at its end, with the right side of which its velocity is the solution.
     const double tau = clock.stepSize(level);
-    auto const Z = fem::combine(problem.body.matrices, update.weights(tau, problem.body.matrices),
-                                problem.body.held);
-    auto const solution = problem.body.vector(), b = problem.body.vector(),
-               start = problem.body.vector(), w = problem.body.vector();
-    problem.body.prescribed_velocity(clock.seconds(end.time), *w);
+    auto const Z =
+      fem::combine(problem.model.body.matrices, update.weights(tau, problem.model.body.matrices),
+                   problem.model.body.held);
+    auto const solution = problem.model.body.vector(), b = problem.model.body.vector(),
+               start = problem.model.body.vector(), w = problem.model.body.vector();
+    problem.model.body.prescribed_velocity(clock.seconds(end.time), *w);
     solution->update(1, *end.v, -1, *w, 0);
     start->update(1, *guess.v, -1, *w, 0);
-    problem.body.clearHeld(*solution);
-    problem.body.clearHeld(*start);
-    const dynamics::FrictionProblem friction{problem.fault.friction(),
+    problem.model.body.clearHeld(*solution);
+    problem.model.body.clearHeld(*start);
+    const dynamics::FrictionProblem friction{problem.model.fault.friction(),
                                              {end.alpha_of_rate, end.sigma_n}};
     Z->apply(*solution, *b);
-    addFrictionForces(*problem.surface, friction, *solution, *b);
-    problem.body.clearHeld(*b);
+    addFrictionForces(problem.surface(), friction, *solution, *b);
+    problem.model.body.clearHeld(*b);
     auto& solver = solvers.at(level);
     solver.begin(*b, *start);
     auto const result = solver.solve(friction);
@@ -135,7 +136,7 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
     EXPECT_LT(error, 1e-5 * energyNorm(*Z, *solution)) << "the deck's relative tolerance";
     // 4. The linear problem.
     solution->update(-1, *start, 1);
-    linear_cycles += Aggregation(Z, problem.body).cyclesFor(*solution, error);
+    linear_cycles += Aggregation(Z, problem.model.body).cyclesFor(*solution, error);
   }
   RecordProperty("coupled, rate and linear cycles", std::to_string(coupled.v_cycles) + ", " +
                                                       std::to_string(rate_cycles) + ", " +

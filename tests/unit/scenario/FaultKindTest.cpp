@@ -2,7 +2,7 @@
 
 #include "SampleDeck.hpp"
 #include "parameters/Deck.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "scenario/run/OtherRun.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
@@ -70,7 +70,7 @@ TEST(FaultKind, IsOneFile)
   ASSERT_FALSE(result.velocities.empty());
   EXPECT_TRUE(std::holds_alternative<fem::FreeAcrossFault>(result.velocities.front().kind));
   auto const problem = makeProblem<2>(deck, world());
-  EXPECT_EQ(problem.surface->slipFactor(), 3);
+  EXPECT_EQ(problem.surface().slipFactor(), 3);
 
   for (auto const& condition : result.velocities) {
     if (condition.name == "Asperity / Boundary Conditions / Deep" &&

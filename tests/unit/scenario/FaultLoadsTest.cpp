@@ -1,5 +1,5 @@
 #include "SampleDeck.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
@@ -13,13 +13,13 @@ namespace
 // The load on the fault nodes at the time t, per their weight [Pa].
 std::vector<double> tractionAt(Problem<2> const& problem, double t)
 {
-  const auto load = problem.body.vector();
-  problem.body.load(t, *load);
+  const auto load = problem.model.body.vector();
+  problem.model.body.load(t, *load);
   const auto values = valuesOf(*load);
   std::vector<double> traction;
-  traction.reserve(problem.surface->numNodes());
-  for (int i = 0; i < problem.surface->numNodes(); ++i) {
-    traction.push_back(values[(*problem.surface)[i].dofs[0]] / (*problem.surface)[i].weight);
+  traction.reserve(problem.surface().numNodes());
+  for (int i = 0; i < problem.surface().numNodes(); ++i) {
+    traction.push_back(values[(problem.surface())[i].dofs[0]] / (problem.surface())[i].weight);
   }
   return traction;
 }
@@ -59,9 +59,10 @@ TEST(FaultLoads, KeepGravityBesideATractionInTime)
 {
   auto const problem = makeProblem<2>(
     column([](auto& deck) { deck.sublist("Friction").set("Shear Traction", "t"); }), world());
-  const auto load = problem.body.vector();
-  problem.body.load(3, *load);
-  auto const along_axes = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *load);
+  const auto load = problem.model.body.vector();
+  problem.model.body.load(3, *load);
+  auto const along_axes =
+    fem::alongAxes(problem.discretisation.frames(), *problem.model.body.dofs, *load);
   double fx = 0, fy = 0;
   for (std::size_t i = 0; i < along_axes.size(); i += 2) {
     fx += along_axes[i];
@@ -79,8 +80,8 @@ TEST(FaultLoads, FollowANormalStressInTimeAndClipTension)
                      deck.sublist("Friction").set("Normal Stress Factor", 3.);
                    }),
                    world());
-  auto const& fault = problem.fault;
-  EXPECT_EQ(valuesOf(problem.initial.sigma_n), (std::vector<double>{300, 600, 900}));
+  auto const& fault = problem.model.fault;
+  EXPECT_EQ(valuesOf(problem.model.initial.sigma_n), (std::vector<double>{300, 600, 900}));
   NodeView later("later", 3);
   fault.normalStress().at(2, later);
   EXPECT_EQ(valuesOf(later), (std::vector<double>{0, 0, 300}));
@@ -90,14 +91,14 @@ TEST(FaultLoads, FollowANormalStressInTimeAndClipTension)
   BlockView gradient("gradient", 3, 1);
   HessianView hessian("hessian", 3, 1, 1);
   FlagView kinked("kinked", 3);
-  fault.friction().linearise(v, {problem.initial.alpha, later}, gradient, hessian, kinked);
+  fault.friction().linearise(v, {problem.model.initial.alpha, later}, gradient, hessian, kinked);
   const auto force = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), gradient);
   EXPECT_EQ(force(0, 0), 0);
   EXPECT_GT(force(2, 0), 0);
-  EXPECT_EQ(valuesOf(problem.initial.sigma_n), (std::vector<double>{300, 600, 900}));
+  EXPECT_EQ(valuesOf(problem.model.initial.sigma_n), (std::vector<double>{300, 600, 900}));
 
   auto const constant = makeProblem<2>(strip(), world());
-  EXPECT_FALSE(constant.fault.normalStress().dependsOnTime());
+  EXPECT_FALSE(constant.model.fault.normalStress().dependsOnTime());
 }
 
 TEST(FaultLoads, RefuseATensileNormalStressAtTheStart)
@@ -123,15 +124,15 @@ TEST(Problem, HasNoMassButARadiationDampingIfQuasiDynamic)
   auto const inertial = makeProblem<2>(strip(), world());
   auto const quasi = makeProblem<2>(
     strip([](auto& deck) { deck.sublist("Bulk").set("Dynamics", "Quasi-dynamic"); }), world());
-  EXPECT_GT(inertial.body.matrices.mass->getFrobeniusNorm(), 0);
-  EXPECT_EQ(inertial.body.matrices.viscosity->getFrobeniusNorm(), 0);
-  EXPECT_EQ(quasi.body.matrices.mass->getFrobeniusNorm(), 0);
-  EXPECT_EQ(quasi.initial.a->normInf(), 0);
+  EXPECT_GT(inertial.model.body.matrices.mass->getFrobeniusNorm(), 0);
+  EXPECT_EQ(inertial.model.body.matrices.viscosity->getFrobeniusNorm(), 0);
+  EXPECT_EQ(quasi.model.body.matrices.mass->getFrobeniusNorm(), 0);
+  EXPECT_EQ(quasi.model.initial.a->normInf(), 0);
   // eta V with eta = G / (2 cs) and V = 2 v is the impedance of one side, over 2 m of fault.
-  const auto v = quasi.body.vector();
-  const auto force = quasi.body.vector();
+  const auto v = quasi.model.body.vector();
+  const auto force = quasi.model.body.vector();
   v->putScalar(3);
-  quasi.body.matrices.viscosity->apply(*v, *force);
+  quasi.model.body.matrices.viscosity->apply(*v, *force);
   const double impedance = std::sqrt(1000 * 1e6);
   EXPECT_NEAR(v->dot(*force), 2 * impedance * 9, 1e-9 * impedance);
 }
@@ -154,10 +155,10 @@ TEST(Problem, PutsDashpotsOnAbsorbingBoundaries)
                                         far.set("Boundary", "top").set("Type", "Absorbing");
                                       }),
                                       world());
-  const auto v = problem.body.vector();
-  const auto force = problem.body.vector();
+  const auto v = problem.model.body.vector();
+  const auto force = problem.model.body.vector();
   v->putScalar(3);
-  problem.body.matrices.viscosity->apply(*v, *force);
+  problem.model.body.matrices.viscosity->apply(*v, *force);
   const double impedance = std::sqrt(1000 * 1e6);
   EXPECT_NEAR(v->dot(*force), 2 * impedance * 9, 1e-9 * impedance);
 }

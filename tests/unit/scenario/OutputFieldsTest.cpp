@@ -20,13 +20,13 @@ struct Start
   explicit Start(ParameterList const& given)
       : deck(given)
       , problem(makeProblem<2>(deck, world()))
-      , balance(problem.body, problem.fault, makeClock(deck.sublist("Time Stepping")))
-      , sample(*problem.surface, *problem.initial.u)
+      , balance(problem.model.body, problem.model.fault, makeClock(deck.sublist("Time Stepping")))
+      , sample(problem.surface(), *problem.model.initial.u)
       , domains(makeDomains(problem))
   {
-    balance.start(problem.initial);
-    view.state = &problem.initial;
-    sample.begin(problem.initial, 0, balance);
+    balance.start(problem.model.initial);
+    view.state = &problem.model.initial;
+    sample.begin(problem.model.initial, 0, balance);
     view.fault = &sample;
     view.balance = &balance;
     registerFields(registry, problem, view, domains, deck.sublist("Friction"));

@@ -1,4 +1,4 @@
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include "SampleDeck.hpp"
 #include "dynamics/control/StepControl.hpp"
@@ -20,8 +20,8 @@ namespace
 {
 double force(Problem<2> const& problem)
 {
-  const auto pressure = valuesOf(problem.initial.sigma_n);
-  const auto weight = weightsOf(*problem.surface);
+  const auto pressure = valuesOf(problem.model.initial.sigma_n);
+  const auto weight = weightsOf(problem.surface());
   return std::inner_product(pressure.begin(), pressure.end(), weight.begin(), 0.);
 }
 
@@ -31,14 +31,14 @@ constexpr double column_weight = 1000 * 10 * 4; // N/m: density, gravity, area
 TEST(Problem, PressesOnTheFaultWithTheWeightOfTheBody)
 {
   auto const problem = makeProblem<2>(column(), world());
-  EXPECT_EQ(problem.components, 2);
-  EXPECT_EQ(problem.surface->numNodes(), 3);
-  EXPECT_NEAR(problem.surface->totalWeight(), 2, 1e-14);
+  EXPECT_EQ(problem.components(), 2);
+  EXPECT_EQ(problem.surface().numNodes(), 3);
+  EXPECT_NEAR(problem.surface().totalWeight(), 2, 1e-14);
   EXPECT_NEAR(force(problem), column_weight, 1e-9 * column_weight);
-  EXPECT_EQ(heldComponents(*problem.surface), (std::vector<std::vector<int>>{{1}, {0}, {1}}))
+  EXPECT_EQ(heldComponents(problem.surface()), (std::vector<std::vector<int>>{{1}, {0}, {1}}))
     << "the walls hold its ends";
-  ASSERT_EQ(problem.remarks.size(), 1U);
-  expectParts(problem.remarks[0], {"Beside the fault shear waves travel at c_s"});
+  ASSERT_EQ(problem.findings.remarks.size(), 1U);
+  expectParts(problem.findings.remarks[0], {"Beside the fault shear waves travel at c_s"});
 }
 
 // Where a wall goes on in its plane, the fault bears its own share of a node's load alone.
@@ -59,8 +59,8 @@ TEST(Problem, SharesTheWeightWithAWallInItsPlane)
                                      conditions.sublist("Floor").set("Type", "Sliding Wall");
                                    }),
                                    world());
-  const auto expected = valuesOf(whole.initial.sigma_n);
-  const auto pressure = valuesOf(part.initial.sigma_n);
+  const auto expected = valuesOf(whole.model.initial.sigma_n);
+  const auto pressure = valuesOf(part.model.initial.sigma_n);
   ASSERT_EQ(pressure.size(), 3U);
   for (std::size_t i = 0; i < pressure.size(); ++i) {
     EXPECT_NEAR(pressure[i], expected[i], 1e-8 * expected[i]) << i;
@@ -78,7 +78,7 @@ TEST(Problem, MultipliesTheNormalStress)
                      deck.sublist("Friction").set("Normal Stress Factor", 3.);
                    }),
                    world());
-  EXPECT_EQ(valuesOf(given.initial.sigma_n), (std::vector<double>{300, 600, 900}));
+  EXPECT_EQ(valuesOf(given.model.initial.sigma_n), (std::vector<double>{300, 600, 900}));
 }
 
 TEST(Problem, SetsATensileReactionToZeroAndSaysSo)
@@ -90,7 +90,7 @@ TEST(Problem, SetsATensileReactionToZeroAndSaysSo)
                    world());
   EXPECT_EQ(force(problem), 0);
   std::string told;
-  for (auto const& warning : problem.warnings) {
+  for (auto const& warning : problem.findings.warnings) {
     told += warning.text;
   }
   expectParts(told, {"pulls at 100 % of the fault", "zero"});
@@ -155,23 +155,23 @@ TEST(Problem, StartsFromTheVelocityOfTheDeck)
                                         initial.set("alpha", "x - 1").set("Acceleration", "Zero");
                                       }),
                                       world());
-  auto const v =
-    fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *problem.initial.v);
+  auto const v = fem::alongAxes(problem.discretisation.frames(), *problem.model.body.dofs,
+                                *problem.model.initial.v);
   // Rows of three vertices; the fault has no velocity across it, the walls none along x.
   EXPECT_EQ(v[2 * 1], 0.1);
   EXPECT_EQ(v[2 * 1 + 1], 0);
   EXPECT_EQ(v[2 * 4], 0.1);
   EXPECT_EQ(v[2 * 4 + 1], 0.2);
   EXPECT_EQ(v[2 * 5], 0);
-  EXPECT_EQ(valuesOf(problem.initial.alpha), (std::vector<double>{-1, 0, 1}));
-  EXPECT_EQ(problem.initial.a->normInf(), 0);
+  EXPECT_EQ(valuesOf(problem.model.initial.alpha), (std::vector<double>{-1, 0, 1}));
+  EXPECT_EQ(problem.model.initial.a->normInf(), 0);
 }
 
 TEST(Problem, IsAtRestInBalance)
 {
   auto const problem = makeProblem<2>(column(), world());
-  EXPECT_LE(problem.initial.a->normInf(), 1e-9) << "the static solution does not move";
-  EXPECT_EQ(problem.initial.v->normInf(), 0);
+  EXPECT_LE(problem.model.initial.a->normInf(), 1e-9) << "the static solution does not move";
+  EXPECT_EQ(problem.model.initial.v->normInf(), 0);
 }
 
 TEST(StepControl, WantsPrescribedLevelsThatExist)
@@ -184,8 +184,8 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
     });
     auto const& time = deck.sublist("Time Stepping");
     auto const problem = makeProblem<2>(deck, world());
-    dynamics::CoupledStep step(problem.body, problem.fault, makeRateUpdate(time), makeClock(time),
-                               {}, problem.solver, 1000000);
+    dynamics::CoupledStep step(problem.model.body, problem.model.fault, makeRateUpdate(time),
+                               makeClock(time), {}, problem.solver, 1000000);
     return makeStepControl(time, {}, step) != nullptr;
   };
   EXPECT_TRUE(control({0, 3, 2}));
@@ -197,33 +197,37 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
 TEST(RunArchive, TurnsTimesOfAnotherSmallestStepIntoItsOwn)
 {
   auto const problem = makeProblem<2>(column(), world());
-  auto state = problem.initial.clone();
+  auto state = problem.model.initial.clone();
   state.time = 3;
   Archive archive;
-  StateFormat(problem, nullptr, dynamics::DyadicTime(1, 10)).save(archive, "state", state);
-  EXPECT_EQ(
-    StateFormat(problem, nullptr, dynamics::DyadicTime(1, 12), 10).load(archive, "state").time, 12);
+  StateFormat(problem.model, nullptr, dynamics::DyadicTime(1, 10)).save(archive, "state", state);
+  EXPECT_EQ(StateFormat(problem.model, nullptr, dynamics::DyadicTime(1, 12), 10)
+              .load(archive, "state")
+              .time,
+            12);
   expectRefusal(
-    [&] { StateFormat(problem, nullptr, dynamics::DyadicTime(1, 9), 10).load(archive, "state"); },
+    [&] {
+      StateFormat(problem.model, nullptr, dynamics::DyadicTime(1, 9), 10).load(archive, "state");
+    },
     {"between two steps of the smallest size", "--restart-from"});
 }
 
 TEST(RunArchive, ReturnsWhatWasSaved)
 {
   auto problem = makeProblem<2>(column(), world());
-  auto state = problem.initial.clone();
+  auto state = problem.model.initial.clone();
   state.time = 1234567890123456789;
   state.v->putScalar(1e-300);
   Kokkos::deep_copy(state.alpha, -0.1);
   // A field that a model adds is saved like the others.
   const dynamics::FieldInfo pressure = {"p", "pressure", "Pa"};
-  for (auto* each : {&problem.initial, &state}) {
-    const NodeView p("asperity::test::p", problem.initial.alpha.extent(0));
+  for (auto* each : {&problem.model.initial, &state}) {
+    const NodeView p("asperity::test::p", problem.model.initial.alpha.extent(0));
     each->added.push_back({std::make_shared<const dynamics::FieldInfo>(pressure), p});
   }
   Kokkos::deep_copy(state.added[0].values, 4e6);
   Archive archive;
-  const StateFormat format(problem, nullptr, dynamics::DyadicTime(1, 10));
+  const StateFormat format(problem.model, nullptr, dynamics::DyadicTime(1, 10));
   format.save(archive, "state", state);
   auto const read = format.load(archive, "state");
   EXPECT_EQ(read.time, state.time);
@@ -256,8 +260,8 @@ TEST(RunArchive, RefusesTheStateOfAnotherMesh)
     world());
   Archive archive;
   const dynamics::DyadicTime clock(1, 10);
-  StateFormat(finer, nullptr, clock).save(archive, "state", finer.initial);
-  expectRefusal([&] { StateFormat(problem, nullptr, clock).load(archive, "state"); },
+  StateFormat(finer.model, nullptr, clock).save(archive, "state", finer.model.initial);
+  expectRefusal([&] { StateFormat(problem.model, nullptr, clock).load(archive, "state"); },
                 {"state/u", "18", "24", "another mesh"});
 }
 } // namespace asperity::scenario

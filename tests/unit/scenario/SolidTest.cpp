@@ -1,6 +1,6 @@
 #include "SampleDeck.hpp"
 #include "scenario/OutputFields.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -54,13 +54,13 @@ ParameterList halfSpace(std::function<void(ParameterList&)> const& change = [](a
 std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck,
                             std::string const& name)
 {
-  dynamics::EnergyBalance balance(problem.body, problem.fault,
+  dynamics::EnergyBalance balance(problem.model.body, problem.model.fault,
                                   makeClock(deck.sublist("Time Stepping")));
-  balance.start(problem.initial);
-  dynamics::FaultSample sample(*problem.surface, *problem.initial.u);
-  sample.begin(problem.initial, 0, balance);
+  balance.start(problem.model.initial);
+  dynamics::FaultSample sample(problem.surface(), *problem.model.initial.u);
+  sample.begin(problem.model.initial, 0, balance);
   RunView view;
-  view.state = &problem.initial;
+  view.state = &problem.model.initial;
   view.fault = &sample;
   view.balance = &balance;
   auto const domains = makeDomains(problem);
@@ -80,10 +80,10 @@ TEST(Solid, MeansOnTheFaultKeepTheIntegralOfAField)
                                           .set("Cohesion", "1e3 * mean(1 + x + 2 * z)");
                                       }),
                                       world());
-  auto const cohesion = valuesOf(problem.fault.laws().cohesion);
-  auto const weights = weightsOf(*problem.surface);
+  auto const cohesion = valuesOf(problem.model.fault.laws().cohesion);
+  auto const weights = weightsOf(problem.surface());
   EXPECT_NEAR(std::inner_product(weights.begin(), weights.end(), cohesion.begin(), 0.), 16e3, 1e-9);
-  for (const double sigma_n : valuesOf(problem.initial.sigma_n)) {
+  for (const double sigma_n : valuesOf(problem.model.initial.sigma_n)) {
     EXPECT_EQ(sigma_n, 1e4);
   }
 }
@@ -91,11 +91,11 @@ TEST(Solid, MeansOnTheFaultKeepTheIntegralOfAField)
 TEST(Solid, PressesOnTheFaultWithItsWeight)
 {
   auto const problem = makeProblem<3>(block(), world());
-  EXPECT_EQ(problem.components, 3);
-  EXPECT_EQ(problem.surface->numTangents(), 2);
-  EXPECT_NEAR(problem.surface->totalWeight(), 4, 1e-14);
-  const auto pressure = valuesOf(problem.initial.sigma_n);
-  const auto weight = weightsOf(*problem.surface);
+  EXPECT_EQ(problem.components(), 3);
+  EXPECT_EQ(problem.surface().numTangents(), 2);
+  EXPECT_NEAR(problem.surface().totalWeight(), 4, 1e-14);
+  const auto pressure = valuesOf(problem.model.initial.sigma_n);
+  const auto weight = weightsOf(problem.surface());
   const double expected = 1000 * 10 * 8; // density, gravity, volume
   EXPECT_NEAR(std::inner_product(pressure.begin(), pressure.end(), weight.begin(), 0.), expected,
               1e-9 * expected);
@@ -106,7 +106,7 @@ TEST(Solid, KeepsTheDirectionsThatWallsLeaveFree)
 {
   auto const problem = makeProblem<3>(block(), world());
   int num_free[3] = {};
-  for (auto const& fixed : heldComponents(*problem.surface)) {
+  for (auto const& fixed : heldComponents(problem.surface())) {
     ++num_free[2 - std::accumulate(fixed.begin(), fixed.end(), 0)];
   }
   EXPECT_EQ(num_free[2], 1);
@@ -122,10 +122,10 @@ TEST(Solid, PullsTheFaultAlongTheSlipDirection)
   });
   auto const problem = makeProblem<3>(deck, world());
   for (double t : {0., 2.}) {
-    auto const load = problem.body.vector();
-    problem.body.load(t, *load);
+    auto const load = problem.model.body.vector();
+    problem.model.body.load(t, *load);
     auto const along_axes =
-      fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *load);
+      fem::alongAxes(problem.discretisation.frames(), *problem.model.body.dofs, *load);
     double force[3] = {};
     for (std::size_t i = 0; i < along_axes.size(); ++i) {
       force[i % 3] += along_axes[i];
@@ -148,14 +148,14 @@ TEST(Solid, BalancesTheTractionAlongTheInitialVelocity)
     initial.set("State", "Stress Balance");
   });
   auto const problem = makeProblem<3>(deck, world());
-  for (double alpha : valuesOf(problem.initial.alpha)) {
+  for (double alpha : valuesOf(problem.model.initial.alpha)) {
     EXPECT_NEAR(alpha, std::log(1e-6 / V), 1e-9) << "steady state";
   }
   for (double rate : onFault(problem, deck, "slip_rate")) {
     EXPECT_NEAR(rate, V, 1e-12 * V);
   }
   const auto velocity = onFault(problem, deck, "slip_velocity");
-  ASSERT_EQ(velocity.size(), 3 * problem.surface->numNodes());
+  ASSERT_EQ(velocity.size(), 3 * problem.surface().numNodes());
   for (std::size_t i = 0; i < velocity.size(); i += 3) {
     EXPECT_NEAR(velocity[i], 0.6 * V, 1e-12 * V);
     EXPECT_EQ(velocity[i + 1], 0);
@@ -172,15 +172,16 @@ TEST(Solid, SlipsAsPrescribedBesideTheFault)
     deep.set("Direction", array<double>({0, 5, 2}));
   });
   auto const problem = makeProblem<3>(deck, world());
-  auto const v = problem.body.vector();
-  problem.body.prescribed_velocity(0, *v);
-  auto const along_axes = fem::alongAxes(problem.constraints->frames(), *problem.body.dofs, *v);
-  for (int node = 0; node < problem.mesh.num_owned; ++node) {
-    auto const& x = problem.mesh.vertices[node];
+  auto const v = problem.model.body.vector();
+  problem.model.body.prescribed_velocity(0, *v);
+  auto const along_axes =
+    fem::alongAxes(problem.discretisation.frames(), *problem.model.body.dofs, *v);
+  for (int node = 0; node < problem.mesh().num_owned; ++node) {
+    auto const& x = problem.mesh().vertices[node];
     const bool is_deep = x[1] == 0 && x[0] >= 1;
     EXPECT_NEAR(along_axes[3 * node + 2], is_deep ? 1e-9 : 0, 1e-22);
     EXPECT_NEAR(along_axes[3 * node], 0, 1e-22);
-    EXPECT_EQ(problem.body.held[problem.body.dofs->dof(node, 0)], is_deep);
+    EXPECT_EQ(problem.model.body.held[problem.model.body.dofs->dof(node, 0)], is_deep);
   }
 }
 

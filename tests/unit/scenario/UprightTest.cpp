@@ -1,6 +1,6 @@
 #include "scenario/setup/Upright.hpp"
 #include "SampleDeck.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <gtest/gtest.h>
 
@@ -145,10 +145,10 @@ TEST(Upright, LetsRockPressAgainstItsFoundation)
       conditions.sublist("Surface").set("Boundary", "right").set("Type", "Free Surface");
     }),
     world());
-  auto const sigma_n = valuesOf(problem.initial.sigma_n);
+  auto const sigma_n = valuesOf(problem.model.initial.sigma_n);
   ASSERT_EQ(sigma_n.size(), 3U);
   EXPECT_NEAR((sigma_n[0] + 2 * sigma_n[1] + sigma_n[2]) / 4, 1000. * 10 * 2, 1e-6)
     << "the mean: density, acceleration, height";
-  EXPECT_EQ(problem.upright.up, (Direction{1, 0, 0}));
+  EXPECT_EQ(problem.discretisation.upright.up, (Direction{1, 0, 0}));
 }
 } // namespace asperity::scenario

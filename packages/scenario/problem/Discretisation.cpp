@@ -1,8 +1,9 @@
-#include "scenario/Discretisation.hpp"
+#include "scenario/problem/Discretisation.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "fem/BoundaryMeasure.hpp"
+#include "mesh/Boundaries.hpp"
 #include "parameters/ParameterValue.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -93,8 +94,10 @@ Discretisation<Dim> discretise(ParameterList const& deck,
     deck, Dim,
     {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)},
     openBoundaries(conditions, mesh, *communicator));
-  return {std::move(boundary), std::move(mesh),    dofs,    constraints,
-          std::move(rock),     std::move(patches), samples, std::move(upright)};
+  auto fault_boundary = mesh::joinBoundaries(mesh, boundary.faults);
+  return {std::move(boundary), std::move(mesh), std::move(fault_boundary), dofs,
+          constraints,         std::move(rock), std::move(patches),        samples,
+          std::move(upright)};
 }
 
 template Discretisation<2> discretise(ParameterList const&, RCP<const Communicator> const&);

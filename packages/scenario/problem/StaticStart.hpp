@@ -3,7 +3,8 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/FaultSurface.hpp"
-#include "scenario/Discretisation.hpp"
+#include "scenario/problem/Discretisation.hpp"
+#include "scenario/problem/SetupContext.hpp"
 
 #include <string>
 #include <vector>
@@ -14,7 +15,7 @@ namespace asperity::scenario
 // condition, or friction and radiation damping along the fault that is given, unless it is null.
 // `why` says what does not exist otherwise, `cure` what else helps.
 template <int Dim>
-void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& body,
+void requireNoFreeMotion(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
                          fem::FaultSurface const* resisting_fault, std::string const& why,
                          std::string const& cure = "");
 
@@ -29,11 +30,11 @@ struct StaticStart
 // The static solution under the load at t = 0, where the deck asks for it or the normal stress
 // follows from it. Throws InputError where there is none. Collective.
 template <int Dim>
-StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of,
-                        dynamics::Body const& body, dynamics::RateSolverSettings const& solver,
-                        fem::FaultSurface const& surface, Vector const& load);
+StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& body,
+                        Vector const& load);
 
 // Throws InputError if rock yields under its stress at the start. Collective.
 template <int Dim>
-void requireBearable(Discretisation<Dim> const& of, dynamics::Body const& body, Vector const& u);
+void requireBearable(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
+                     Vector const& u);
 } // namespace asperity::scenario

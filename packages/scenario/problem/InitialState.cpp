@@ -1,4 +1,4 @@
-#include "scenario/setup/InitialSetup.hpp"
+#include "scenario/problem/InitialState.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
@@ -122,19 +122,19 @@ NodeView initialAlpha(ParameterList const& list, FieldNodes const& nodes,
 } // namespace
 
 template <int Dim>
-dynamics::State
-makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFrames const& frames,
-                 dynamics::Body const& body, dynamics::Fault const& fault,
-                 dynamics::RateSolverSettings const& solver, StartOfRun const& start)
+dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Body const& body,
+                                 dynamics::Fault const& fault, StartOfRun const& start)
 {
+  ParameterList const& deck = context.deck;
   auto const& list = deck.sublist("Initial State");
+  auto const& mesh = context.discretisation.mesh;
+  auto const& at_fault = context.site.nodes;
   const int num_nodes = fault.surface().numNodes();
   std::vector<int> owned(mesh.num_owned);
   std::iota(owned.begin(), owned.end(), 0);
-  auto const at_fault = faultNodes(mesh, fault.surface());
   dynamics::State state;
   state.u = start.displacement;
-  state.v = initialVelocity(list, FieldNodes(mesh, owned), body, frames);
+  state.v = initialVelocity(list, FieldNodes(mesh, owned), body, context.discretisation.frames());
   setSlipRate(list, at_fault, fault.surface(), start.slip_direction, *state.v);
   state.a = body.vector();
   state.jerk = body.vector();
@@ -166,7 +166,8 @@ makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFra
     auto const load = body.vector();
     body.load(0, *load);
     state.a = dynamics::prescribedAcceleration(body, dt);
-    state.a = dynamics::initialAcceleration(body, fault, solver, *load, state.motion(), given);
+    state.a =
+      dynamics::initialAcceleration(body, fault, context.solver, *load, state.motion(), given);
   }
   return state;
 }
@@ -200,9 +201,8 @@ std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::optional<Warning> warnOfVelocity(ParameterList const&, Mesh<Dim> const&,           \
                                                  fem::FaultSurface const&);                        \
-  template dynamics::State makeInitialState(                                                       \
-    ParameterList const&, Mesh<Dim> const&, fem::NodalFrames const&, dynamics::Body const&,        \
-    dynamics::Fault const&, dynamics::RateSolverSettings const&, StartOfRun const&);
+  template dynamics::State makeInitialState(SetupContext<Dim> const&, dynamics::Body const&,       \
+                                            dynamics::Fault const&, StartOfRun const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -3,10 +3,9 @@
 #include "base/Warning.hpp"
 #include "dynamics/Body.hpp"
 #include "dynamics/State.hpp"
-#include "dynamics/coupling/RateSolver.hpp"
 #include "dynamics/fault/Fault.hpp"
-#include "fem/constraints/NodalFrames.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/problem/SetupContext.hpp"
 
 #include <optional>
 
@@ -34,10 +33,8 @@ struct StartOfRun
 // traction is the only one that drives the fault: a static displacement leaves no shear traction,
 // since the fault has slid without friction, and neither does zero displacement.
 template <int Dim>
-dynamics::State
-makeInitialState(ParameterList const& deck, Mesh<Dim> const& mesh, fem::NodalFrames const& frames,
-                 dynamics::Body const& body, dynamics::Fault const& fault,
-                 dynamics::RateSolverSettings const& solver, StartOfRun const& start);
+dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Body const& body,
+                                 dynamics::Fault const& fault, StartOfRun const& start);
 
 // Of an initial velocity that moves both sides of a two-sided fault, and so does not make it slip,
 // in a quasi-dynamic model, where it has no other effect. Collective.

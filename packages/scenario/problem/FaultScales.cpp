@@ -1,4 +1,4 @@
-#include "scenario/setup/friction/FaultScales.hpp"
+#include "scenario/problem/FaultScales.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "friction/Registry.hpp"
@@ -130,8 +130,7 @@ double barrierShare(fem::FaultSurface const& surface, dynamics::FrictionOfNodes 
 
 // Where friction weakens somewhere, of that part and at a seismic slip rate.
 template <int Dim>
-void findFront(FaultScales& scales, Mesh<Dim> const& mesh, int components,
-               std::vector<fem::Material> const& materials, dynamics::Fault const& fault,
+void findFront(FaultScales& scales, SetupContext<Dim> const& context, dynamics::Fault const& fault,
                dynamics::State const& initial, dynamics::FrictionOfNodes const& friction)
 {
   auto const& surface = fault.surface();
@@ -139,13 +138,14 @@ void findFront(FaultScales& scales, Mesh<Dim> const& mesh, int components,
   std::vector<double> modulus;
   std::vector<bool> counts;
   for (int node = 0; node < surface.numNodes(); ++node) {
-    modulus.push_back(dynamics::slipModulus(materials[node], components, surface.otherSide()));
+    modulus.push_back(dynamics::slipModulus(context.site.materials[node], context.components(),
+                                            surface.otherSide()));
     counts.push_back(surface.slides(node) && friction.canSlip(node) &&
                      (!found || friction.b[node] > friction.a[node]));
   }
   const dynamics::FrontZone zone(modulus, friction.b, friction.L,
-                                 dynamics::largerCells(mesh, surface), counts,
-                                 surface.communicator());
+                                 dynamics::largerCells(context.discretisation.mesh, surface),
+                                 counts, surface.communicator());
   const double rate = found ? found->slip_distance / found->seismic_time : creep_front;
   auto const expected =
     zone.narrowest(fault.state(), uniform(rate, surface.numNodes()), fault.given(initial));
@@ -175,35 +175,32 @@ double FaultScales::waveRate() const
 }
 
 template <int Dim>
-FaultScales faultScales(Mesh<Dim> const& mesh, int components,
-                        std::vector<fem::Material> const& materials, ParameterList const& friction,
-                        FieldNodes const& nodes, dynamics::Fault const& fault,
+FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const& fault,
                         dynamics::State const& initial, std::vector<double> const& driving)
 {
   FaultScales scales;
-  auto const of_nodes =
-    frictionOfNodes(friction, nodes, fault, fault.given(initial).sigma_n, driving);
+  auto const of_nodes = frictionOfNodes(context.deck.sublist("Friction"), context.site.nodes, fault,
+                                        fault.given(initial).sigma_n, driving);
   if (!of_nodes) {
     return scales;
   }
   auto const& surface = fault.surface();
-  scales.resolution = dynamics::faultResolution(mesh, surface, components, materials, *of_nodes);
+  scales.resolution = dynamics::faultResolution(
+    context.discretisation.mesh, surface, context.components(), context.site.materials, *of_nodes);
   scales.barrier = barrierShare(surface, *of_nodes);
   auto const& found = scales.resolution;
   if (found && !dynamics::isTooShort(*found, found->unstable_wavelength)) {
     scales.weakening = dynamics::rateWeakeningDistances(*of_nodes);
   }
   if (of_nodes->drop.empty()) {
-    findFront(scales, mesh, components, materials, fault, initial, *of_nodes);
+    findFront(scales, context, fault, initial, *of_nodes);
   }
   return scales;
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
-  template FaultScales faultScales(Mesh<DIM> const&, int, std::vector<fem::Material> const&,       \
-                                   ParameterList const&, FieldNodes const&,                        \
-                                   dynamics::Fault const&, dynamics::State const&,                 \
-                                   std::vector<double> const&);
+  template FaultScales faultScales(SetupContext<DIM> const&, dynamics::Fault const&,               \
+                                   dynamics::State const&, std::vector<double> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

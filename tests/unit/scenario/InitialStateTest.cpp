@@ -1,8 +1,8 @@
-#include "scenario/setup/InitialSetup.hpp"
+#include "scenario/problem/InitialState.hpp"
 
 #include "SampleDeck.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -31,10 +31,10 @@ ParameterList sliding(std::function<void(ParameterList&)> const& change = [](aut
 
 std::vector<double> slipRates(Problem<2> const& problem)
 {
-  BlockView v("v", problem.surface->numNodes(), 1);
-  NodeView V("V", problem.surface->numNodes());
-  dynamics::gather(*problem.surface, *problem.initial.v, v);
-  dynamics::slipRate(*problem.surface, v, V);
+  BlockView v("v", problem.surface().numNodes(), 1);
+  NodeView V("V", problem.surface().numNodes());
+  dynamics::gather(problem.surface(), *problem.model.initial.v, v);
+  dynamics::slipRate(problem.surface(), v, V);
   return valuesOf(V);
 }
 
@@ -46,15 +46,15 @@ void expectAll(std::vector<double> const& values, double expected, double tolera
 }
 } // namespace
 
-TEST(InitialSetup, LetsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
+TEST(InitialState, LetsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
 {
   for (char const* state : {"Steady", "Stress Balance"}) {
     auto const problem = makeProblem<2>(
       sliding([state](auto& deck) { deck.sublist("Initial State").set("State", state); }), world());
     expectAll(slipRates(problem), plate_rate, 1e-18);
-    expectAll(valuesOf(problem.initial.alpha), std::log(1e-6 / plate_rate), 1e-12);
+    expectAll(valuesOf(problem.model.initial.alpha), std::log(1e-6 / plate_rate), 1e-12);
     // Balance of momentum: friction at the slip rate, not at the velocity, bears the traction.
-    EXPECT_LE(problem.initial.a->normInf(), 1e-9);
+    EXPECT_LE(problem.model.initial.a->normInf(), 1e-9);
   }
   auto const bilateral = makeProblem<2>(
     sliding([](auto& deck) {
@@ -62,10 +62,10 @@ TEST(InitialSetup, LetsAnAntisymmetricStripSlideSteadilyAtTwiceItsVelocity)
     }),
     world());
   expectAll(slipRates(bilateral), plate_rate / 2, 1e-18);
-  EXPECT_GT(bilateral.initial.a->normInf(), 1e-4);
+  EXPECT_GT(bilateral.model.initial.a->normInf(), 1e-4);
 }
 
-TEST(InitialSetup, BalancesTheShearTractionWithFrictionCohesionAndRadiation)
+TEST(InitialState, BalancesTheShearTractionWithFrictionCohesionAndRadiation)
 {
   const double tau = 7000, cohesion = 100, V = 1e-2;
   for (bool quasi : {false, true}) {
@@ -80,14 +80,14 @@ TEST(InitialSetup, BalancesTheShearTractionWithFrictionCohesionAndRadiation)
                      world());
     NodeView mu("mu", 3);
     BlockView v("v", 3, 1);
-    dynamics::gather(*problem.surface, *problem.initial.v, v);
-    problem.fault.friction().coefficient(v, problem.initial.alpha, mu);
+    dynamics::gather(problem.surface(), *problem.model.initial.v, v);
+    problem.model.fault.friction().coefficient(v, problem.model.initial.alpha, mu);
     const double radiation = quasi ? std::sqrt(1000 * 1e6) / 2 * V : 0;
     expectAll(valuesOf(mu), (tau - cohesion - radiation) / 1e4, 1e-13);
   }
 }
 
-TEST(InitialSetup, LeavesAColumnUnderObliqueGravityInBalance)
+TEST(InitialState, LeavesAColumnUnderObliqueGravityInBalance)
 {
   // The static solution has slid without friction, so friction bears the deck's traction alone;
   // were it not so, the fault would jump.
@@ -98,14 +98,14 @@ TEST(InitialSetup, LeavesAColumnUnderObliqueGravityInBalance)
     given.sublist("Friction").set("Shear Traction", 5000.).set("Normal Stress", 1e4);
   });
   auto const problem = makeProblem<2>(deck, world());
-  ASSERT_GT(problem.initial.u->normInf(), 0);
-  EXPECT_LE(problem.initial.a->normInf(), 1e-7) << "m/s^2, beside 10 of gravity";
+  ASSERT_GT(problem.model.initial.u->normInf(), 0);
+  EXPECT_LE(problem.model.initial.a->normInf(), 1e-7) << "m/s^2, beside 10 of gravity";
   // At the walls, where the fault rests, alpha is the deck's.
-  EXPECT_EQ(valuesOf(problem.initial.alpha)[0], 77);
-  EXPECT_NE(valuesOf(problem.initial.alpha)[1], 77);
+  EXPECT_EQ(valuesOf(problem.model.initial.alpha)[0], 77);
+  EXPECT_NE(valuesOf(problem.model.initial.alpha)[1], 77);
 }
 
-TEST(InitialSetup, RefusesAStateThatDoesNotExist)
+TEST(InitialState, RefusesAStateThatDoesNotExist)
 {
   const auto message = [](std::function<void(ParameterList&)> const& change) {
     return refusal([&] { makeProblem<2>(sliding(change), world()); });
@@ -127,7 +127,7 @@ TEST(InitialSetup, RefusesAStateThatDoesNotExist)
               {"Friction has to depend on the state"});
 }
 
-TEST(InitialSetup, TakesThePrescribedSlipRateWhereTheFaultEnds)
+TEST(InitialState, TakesThePrescribedSlipRateWhereTheFaultEnds)
 {
   // The left part of the bottom is the fault, the right part slips at the plate rate.
   const auto deck = sliding([](ParameterList& given) {
@@ -137,14 +137,14 @@ TEST(InitialSetup, TakesThePrescribedSlipRateWhereTheFaultEnds)
     given.sublist("Initial State").set("Velocity Z", 1e-9 / 2);
   });
   auto const problem = makeProblem<2>(deck, world());
-  ASSERT_EQ(problem.surface->numNodes(), 2);
-  EXPECT_EQ(heldComponents(*problem.surface), (std::vector<std::vector<int>>{{0}, {1}}));
+  ASSERT_EQ(problem.surface().numNodes(), 2);
+  EXPECT_EQ(heldComponents(problem.surface()), (std::vector<std::vector<int>>{{0}, {1}}));
   EXPECT_NEAR(slipRates(problem)[0], 1e-9, 1e-24);
   EXPECT_NEAR(slipRates(problem)[1], plate_rate, 1e-18);
-  EXPECT_NEAR(valuesOf(problem.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);
+  EXPECT_NEAR(valuesOf(problem.model.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);
 }
 
-TEST(InitialSetup, WarnsOfAVelocityThatMovesBothSidesOfAFault)
+TEST(InitialState, WarnsOfAVelocityThatMovesBothSidesOfAFault)
 {
   const auto warns = [](std::function<void(ParameterList&)> const& change) {
     const auto deck = strip([&](ParameterList& given) {
@@ -158,7 +158,7 @@ TEST(InitialSetup, WarnsOfAVelocityThatMovesBothSidesOfAFault)
       change(given);
     });
     const auto problem = makeProblem<2>(deck, world());
-    return std::any_of(problem.warnings.begin(), problem.warnings.end(),
+    return std::any_of(problem.findings.warnings.begin(), problem.findings.warnings.end(),
                        [](Warning const& warning) { return warning.topic == "initial velocity"; });
   };
   const auto moves = [](ParameterList& deck) {

@@ -1,4 +1,4 @@
-#include "scenario/StaticStart.hpp"
+#include "scenario/problem/StaticStart.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
@@ -9,7 +9,7 @@
 #include "fem/motions/FreeMotions.hpp"
 #include "mesh/PointText.hpp"
 #include "parameters/ParameterValue.hpp"
-#include "scenario/setup/InitialSetup.hpp"
+#include "scenario/problem/InitialState.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
@@ -18,7 +18,7 @@
 namespace asperity::scenario
 {
 template <int Dim>
-void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& body,
+void requireNoFreeMotion(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
                          fem::FaultSurface const* resisting_fault, std::string const& why,
                          std::string const& cure)
 {
@@ -33,8 +33,9 @@ void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& bo
       }
     }
   }
-  auto const free = fem::freeMotions(of.mesh, of.dofs->components(), *body.near_null_space,
-                                     resisting, of.dofs->communicator());
+  auto const free =
+    fem::freeMotions(discretisation.mesh, discretisation.components(), *body.near_null_space,
+                     resisting, discretisation.dofs->communicator());
   ASPERITY_REQUIRE(
     free.empty(), "Asperity / Boundary Conditions: nothing stops or resists the body when it moves "
                     << free.front() << ", and " << why
@@ -45,22 +46,23 @@ void requireNoFreeMotion(Discretisation<Dim> const& of, dynamics::Body const& bo
 }
 
 template <int Dim>
-StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of,
-                        dynamics::Body const& body, dynamics::RateSolverSettings const& solver,
-                        fem::FaultSurface const& surface, Vector const& load)
+StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& body,
+                        Vector const& load)
 {
-  auto const& friction = deck.sublist("Friction");
+  auto const& discretisation = context.discretisation;
+  auto const& surface = *context.site.surface;
+  ParameterList const& friction = context.deck.sublist("Friction");
   // Where friction does not ask for the normal stress, it need not follow from the static solution.
   const bool stress_given =
     isGiven(friction, "Normal Stress") || !bearsFriction(friction) || surface.numGlobalNodes() == 0;
-  ASPERITY_REQUIRE(stress_given || of.dofs->components() == Dim,
+  ASPERITY_REQUIRE(stress_given || discretisation.components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own. Give it.");
   ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
                    "does not follow from the static solution. Give that of the undisturbed state.");
   const bool follows = followsAtOnce(friction); // Prakash-Clifton also follows pressure and time
-  ASPERITY_REQUIRE(!follows || of.dofs->components() == Dim,
+  ASPERITY_REQUIRE(!follows || discretisation.components() == Dim,
                    "Asperity / Friction / Normal Stress Change = "
                      << friction.get<std::string>("Normal Stress Change")
                      << ", but antiplane motion does not press across the fault. Choose Fixed.");
@@ -69,7 +71,7 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
                      << friction.get<std::string>("Normal Stress Change")
                      << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
                         "change. Choose Fixed.");
-  const bool start_static = startsStatic(deck.sublist("Initial State"));
+  const bool start_static = startsStatic(context.deck.sublist("Initial State"));
   const bool has_load = load.normInf() > 0;
   ASPERITY_REQUIRE(stress_given || has_load,
                    "Asperity / Friction / Normal Stress is missing, and without gravity or a "
@@ -79,15 +81,17 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
   if (!has_load || (stress_given && !start_static)) {
     return start;
   }
-  requireNoFreeMotion(of, body, nullptr,
+  requireNoFreeMotion(discretisation, body, nullptr,
                       "its static displacement, for which the fault slides without friction,",
                       stress_given ? "; or choose Initial State / Displacement = Zero, if the load "
                                      "is to set the body in motion"
                                    : "");
-  auto const u = dynamics::StaticSolver(body, solver).solve(load);
+  auto const u = dynamics::StaticSolver(body, context.solver).solve(load);
   if (!stress_given) {
-    auto const support = fem::supportWeights(of.mesh, surface, of.boundary.velocities);
-    start.pressure = dynamics::foundationPressure(body, of.frames(), surface, support, load, *u);
+    auto const support =
+      fem::supportWeights(discretisation.mesh, surface, discretisation.boundary.velocities);
+    start.pressure =
+      dynamics::foundationPressure(body, discretisation.frames(), surface, support, load, *u);
   }
   if (start_static) {
     start.displacement = u;
@@ -96,16 +100,17 @@ StaticStart staticStart(ParameterList const& deck, Discretisation<Dim> const& of
 }
 
 template <int Dim>
-void requireBearable(Discretisation<Dim> const& of, dynamics::Body const& body, Vector const& u)
+void requireBearable(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
+                     Vector const& u)
 {
   if (!body.cells) {
     return;
   }
   auto const beyond = body.cells->furthestBeyond(u);
-  onEveryRank(*of.dofs->communicator(), [&] {
+  onEveryRank(*discretisation.dofs->communicator(), [&] {
     ASPERITY_REQUIRE(!beyond,
                      "Asperity / Bulk: at the start the rock at "
-                       << mesh::text(fem::simplexOf(of.mesh, beyond->cell).centroid)
+                       << mesh::text(fem::simplexOf(discretisation.mesh, beyond->cell).centroid)
                        << " bears a shear stress of " << beyond->shear_stress
                        << " Pa, but it yields at " << beyond->kept
                        << " Pa (sqrt(s : s / 2) of the deviatoric stress s). Check the strength of "
@@ -117,9 +122,8 @@ void requireBearable(Discretisation<Dim> const& of, dynamics::Body const& body, 
   template void requireNoFreeMotion(Discretisation<Dim> const&, dynamics::Body const&,             \
                                     fem::FaultSurface const*, std::string const&,                  \
                                     std::string const&);                                           \
-  template StaticStart staticStart(ParameterList const&, Discretisation<Dim> const&,               \
-                                   dynamics::Body const&, dynamics::RateSolverSettings const&,     \
-                                   fem::FaultSurface const&, Vector const&);                       \
+  template StaticStart staticStart(SetupContext<Dim> const&, dynamics::Body const&,                \
+                                   Vector const&);                                                 \
   template void requireBearable(Discretisation<Dim> const&, dynamics::Body const&, Vector const&);
 
 ASPERITY_INSTANTIATE(2)

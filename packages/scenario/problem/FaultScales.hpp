@@ -3,9 +3,8 @@
 #include "dynamics/checks/FaultResolution.hpp"
 #include "dynamics/checks/FrontZone.hpp"
 #include "dynamics/fault/Fault.hpp"
-#include "parameters/Parameters.hpp"
 #include "portability/Views.hpp"
-#include "scenario/setup/NodalField.hpp"
+#include "scenario/problem/SetupContext.hpp"
 
 #include <optional>
 #include <vector>
@@ -38,11 +37,8 @@ struct FaultScales
   double waveRate() const;     // dynamics::WaveScale::slip_rate [m/s]
 };
 
-// materials: of the body beside the nodes; driving(num fault nodes): the largest shear traction of
-// the loads [Pa]. Collective.
+// driving(num fault nodes): the largest shear traction of the loads [Pa]. Collective.
 template <int Dim>
-FaultScales faultScales(Mesh<Dim> const& mesh, int components,
-                        std::vector<fem::Material> const& materials, ParameterList const& friction,
-                        FieldNodes const& nodes, dynamics::Fault const& fault,
+FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const& fault,
                         dynamics::State const& initial, std::vector<double> const& driving);
 } // namespace asperity::scenario

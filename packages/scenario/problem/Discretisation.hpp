@@ -9,6 +9,7 @@
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity::scenario
@@ -19,6 +20,7 @@ struct Discretisation
 {
   BoundaryConditions<Dim> boundary;
   Mesh<Dim> mesh;
+  std::string fault_boundary; // of the mesh: that of all faults, or none
   std::shared_ptr<const fem::DofMap> dofs;
   std::shared_ptr<const fem::Constraints<Dim>> constraints;
   Rock rock;
@@ -27,6 +29,7 @@ struct Discretisation
   Upright upright;
 
   fem::NodalFrames const& frames() const { return constraints->frames(); }
+  int components() const { return dofs->components(); } // of the displacement
 };
 
 // Reads mesh, boundary conditions and rock of a deck. Throws InputError on all ranks where they

@@ -1,0 +1,41 @@
+#include "scenario/problem/FaultSite.hpp"
+
+#include "fem/BoundaryCells.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/FaultNodes.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+template <int Dim>
+std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim> const& discretisation,
+                                                     CrsGraph const& graph)
+{
+  auto const& boundary = discretisation.boundary;
+  auto const& mesh = discretisation.mesh;
+  auto const surface =
+    fem::makeFaultSurface(mesh, discretisation.fault_boundary, *discretisation.constraints,
+                          *discretisation.dofs, graph, boundary.other_side, boundary.given_slip);
+  return boundary.plate_rates.empty()
+           ? surface
+           : surface->withPlateRate(
+               nodalPlateRates(boundary.plate_rates, mesh, *surface, discretisation.frames()));
+}
+} // namespace
+
+template <int Dim>
+FaultSite makeFaultSite(ParameterList const& deck, Discretisation<Dim> const& discretisation,
+                        CrsGraph const& graph)
+{
+  auto const& mesh = discretisation.mesh;
+  auto surface = makeSurface(discretisation, graph);
+  auto nodes = faultNodes(mesh, *surface);
+  auto materials = fem::materialsAtNodes(mesh, *surface, discretisation.rock.materials);
+  auto eta = radiationDamping(deck.sublist("Bulk"), nodes, surface->otherSide(), materials);
+  return {std::move(surface), std::move(nodes), std::move(materials), std::move(eta)};
+}
+
+template FaultSite makeFaultSite(ParameterList const&, Discretisation<2> const&, CrsGraph const&);
+template FaultSite makeFaultSite(ParameterList const&, Discretisation<3> const&, CrsGraph const&);
+} // namespace asperity::scenario

@@ -1,0 +1,100 @@
+#include "scenario/problem/LoadedBody.hpp"
+
+#include "fem/BoundaryMeasure.hpp"
+#include "fem/NodalDamping.hpp"
+#include "fem/motions/RigidBodyMotions.hpp"
+#include "scenario/problem/StaticStart.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+
+namespace asperity::scenario
+{
+namespace
+{
+// The viscosity of the body with its absorbing boundaries and the radiation damping of its fault.
+template <int Dim>
+RCP<const CrsMatrix> dampedViscosity(SetupContext<Dim> const& context,
+                                     RCP<const CrsMatrix> viscosity)
+{
+  auto const& discretisation = context.discretisation;
+  ParameterList const& bulk = context.deck.sublist("Bulk");
+  auto const& dofs = *discretisation.dofs;
+  for (auto const& name : discretisation.boundary.absorbing) {
+    ASPERITY_REQUIRE(!quasiDynamic(bulk),
+                     "Asperity / Boundary Conditions: the boundary '"
+                       << name
+                       << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
+                          "Type, or Bulk / Dynamics = Inertial.");
+    auto const& mesh = discretisation.mesh;
+    fem::boundaryMeasure(mesh, name, context.communicator()); // refuses one without facets
+    viscosity = fem::withDampers(*viscosity, dofs,
+                                 fem::absorbingBoundary<Dim>(mesh, name, discretisation.frames(),
+                                                             discretisation.rock.materials));
+  }
+  auto const& site = context.site;
+  return quasiDynamic(bulk)
+           ? fem::withDampers(*viscosity, dofs,
+                              fem::radiationDampers(*site.surface, dofs, site.radiation_damping))
+           : viscosity;
+}
+
+// Radiation damping acts on the whole slip rate; the dampers of dampedViscosity act only on the
+// part that is the motion of the body, so that the part of the plates becomes a load.
+RCP<const Vector> withRadiationOfPlates(RCP<const Vector> const& load, FaultSite const& site)
+{
+  if (!site.surface->hasPlateRate()) {
+    return load;
+  }
+  auto const result = rcp(new Vector(*load, Teuchos::Copy));
+  fem::addRadiationOfPlates(*site.surface, site.radiation_damping, *result);
+  return result;
+}
+} // namespace
+
+template <int Dim>
+LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices)
+{
+  auto const& discretisation = context.discretisation;
+  auto const& mesh = discretisation.mesh;
+  auto const& rock = discretisation.rock;
+  auto const& dofs = *discretisation.dofs;
+  auto const& frames = discretisation.frames();
+  auto const& surface = context.site.surface;
+  ParameterList const& bulk = context.deck.sublist("Bulk");
+  matrices.viscosity = fem::withoutZeros(dampedViscosity(context, matrices.viscosity));
+  if (quasiDynamic(bulk)) {
+    matrices.mass = fem::withoutZeros(fem::zeroLike(*matrices.mass));
+    matrices.is_massless = true;
+  }
+
+  auto const gravity = fem::assembleGravity<Dim>(
+    mesh, dofs, frames, rock.materials, scenario::gravity<Dim>(bulk, discretisation.upright.down));
+  ShearTraction traction(context.deck.sublist("Friction"), context.site.nodes, *surface, frames);
+  auto const on_boundaries =
+    std::make_shared<fem::BoundaryLoad>(mesh, dofs, frames, discretisation.boundary.tractions);
+  auto const constraints = discretisation.constraints;
+  dynamics::Body body{
+    discretisation.dofs,
+    std::move(matrices),
+    constraints->held(),
+    fem::rigidBodyMotions(mesh, dofs, frames),
+    loadWithTraction(traction, surface, on_boundaries,
+                     withRadiationOfPlates(gravity, context.site)),
+    [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
+  if (body.matrices.is_massless) {
+    requireNoFreeMotion(discretisation, body, surface.get(),
+                        "the velocity of a quasi-dynamic body");
+  }
+  if (rock.yielding) {
+    body.cells = std::make_shared<fem::InelasticCells>(mesh, discretisation.dofs, frames,
+                                                       rock.materials, *rock.yielding);
+  }
+  on_boundaries->addSteady(*gravity);
+  on_boundaries->addVarying(0, *gravity);
+  return {std::move(body), std::move(traction), gravity};
+}
+
+template LoadedBody makeBody(SetupContext<2> const&, fem::BodyMatrices);
+template LoadedBody makeBody(SetupContext<3> const&, fem::BodyMatrices);
+} // namespace asperity::scenario

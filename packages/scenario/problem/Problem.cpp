@@ -1,0 +1,96 @@
+#include "scenario/problem/Problem.hpp"
+
+#include "dynamics/initial/FoundationPressure.hpp"
+#include "fem/FaultMesh.hpp"
+#include "fem/PatchedBody.hpp"
+#include "fem/SupportWeights.hpp"
+#include "scenario/problem/InitialState.hpp"
+#include "scenario/problem/LoadedBody.hpp"
+#include "scenario/problem/StaticStart.hpp"
+#include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/friction/FaultLoads.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
+
+#include <Tpetra_CrsMatrix.hpp>
+
+#include <utility>
+
+namespace asperity::scenario
+{
+namespace
+{
+// Empty where nothing presses across the fault.
+template <int Dim>
+dynamics::ReactionSinceStart
+reactionSinceStart(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
+                   dynamics::Fault const& fault, dynamics::State const& initial)
+{
+  auto const& surface = fault.surface();
+  if (discretisation.components() < Dim || surface.otherSide().is_mirrored ||
+      surface.numGlobalNodes() == 0) {
+    return {};
+  }
+  return dynamics::reactionSince(
+    initial.motion(), body,
+    std::make_shared<dynamics::NormalReaction>(
+      body, surface, discretisation.frames(),
+      fem::supportWeights(discretisation.mesh, surface, discretisation.boundary.velocities)));
+}
+} // namespace
+
+template <int Dim>
+Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> const& communicator)
+{
+  // 1. The mesh with its unknowns, constraints and rock.
+  auto discretisation = discretise<Dim>(deck, communicator);
+  auto const& mesh = discretisation.mesh;
+  const int components = discretisation.components();
+  auto const solver = makeSolverSettings(deck.sublist("TNNMG"), communicator->getSize(), Dim,
+                                         mesh.num_global_vertices * components);
+
+  // 2. The body, its loads, and where its fault lies.
+  auto matrices = fem::assemblePatchedBody<Dim>(
+    mesh, *discretisation.dofs, discretisation.frames(), discretisation.rock.materials,
+    discretisation.rock.branches, discretisation.patches);
+  auto site = makeFaultSite(deck, discretisation, *matrices.stiffness->getCrsGraph());
+  const SetupContext<Dim> context{deck, discretisation, solver, site};
+  auto loaded = makeBody(context, std::move(matrices));
+
+  // 3. The fault under the normal stress at the start.
+  auto const& friction = deck.sublist("Friction");
+  auto const start = staticStart(context, loaded.body, *loaded.static_load);
+  auto const stress = makeNormalStress(friction, site.nodes, start.pressure, *site.surface);
+  const bool body_presses = components == Dim && !site.surface->otherSide().is_mirrored;
+  auto fault =
+    makeFault(friction, site.nodes, site.surface, fem::makeFaultMesh(mesh, *site.surface),
+              stress.normal_stress, body_presses, site.radiation_damping);
+
+  // 4. The state at the start.
+  auto initial =
+    makeInitialState(context, loaded.body, fault,
+                     {start.displacement, loaded.traction.at(0), loaded.traction.direction()});
+  requireBearable(discretisation, loaded.body, *initial.u);
+  auto const across = reactionSinceStart(discretisation, loaded.body, fault, initial);
+  const bool follows = fault.normalStress().change() != dynamics::NormalStressChange::fixed;
+  dynamics::Model model{std::move(loaded.body), std::move(fault), std::move(initial),
+                        follows ? across : dynamics::ReactionSinceStart()};
+
+  // 5. What users should know about it.
+  auto scales = model.fault.stateDecides()
+                  ? faultScales(context, model.fault, model.initial,
+                                loaded.traction.largest(discretisation.samples))
+                  : FaultScales();
+  auto findings = findingsOf(context, model, loaded.traction, start, stress.warnings);
+  return {communicator,
+          std::move(discretisation),
+          solver,
+          std::move(model),
+          std::move(site.materials),
+          std::move(scales),
+          std::move(findings),
+          across};
+}
+
+template Problem<2> makeProblem(ParameterList const&, RCP<const Communicator> const&);
+template Problem<3> makeProblem(ParameterList const&, RCP<const Communicator> const&);
+} // namespace asperity::scenario

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "base/Archive.hpp"
+#include "io/FieldRegistry.hpp"
+#include "io/OutputSet.hpp"
+#include "scenario/deck/CommandLine.hpp"
+#include "scenario/report/Description.hpp"
+#include "scenario/run/Checkpoints.hpp"
+#include "scenario/run/Evolution.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace asperity::scenario
+{
+// A run before it touches a file: the problem with its steps, and the outputs that read from it.
+template <int Dim>
+struct PreparedRun
+{
+  // `deck` must be complete; entries that follow from the mesh are set in it. Throws SolveError if
+  // the state at the start cannot be computed. Collective.
+  PreparedRun(RCP<ParameterList> const& deck, CommandLine const& command_line,
+              RCP<const Communicator> const& communicator);
+  PreparedRun(PreparedRun const&) = delete; // outputs refer to the evolution
+  PreparedRun& operator=(PreparedRun const&) = delete;
+
+  // The first lines of the log. Collective.
+  Description description() const;
+
+  RCP<ParameterList> deck;
+  RCP<const Communicator> communicator;
+  std::filesystem::path directory; // of the results
+  Evolution<Dim> evolution;
+  std::map<std::string, io::OutputDomain> domains;
+  io::FieldRegistry registry;
+  std::unique_ptr<io::OutputSet> outputs;
+  std::optional<Warning> unread; // entries of the deck
+  Checkpoints checkpoints;
+  Archive state_of_other_run; // with --restart-from
+};
+} // namespace asperity::scenario

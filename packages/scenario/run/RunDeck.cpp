@@ -1,0 +1,61 @@
+#include "scenario/run/RunDeck.hpp"
+
+#include "base/Errors.hpp"
+#include "scenario/deck/Coordinates.hpp"
+#include "scenario/run/PreparedRun.hpp"
+#include "scenario/run/Simulation.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+template <int Dim>
+std::unique_ptr<PreparedRun<Dim>> prepare(RCP<ParameterList> const& deck,
+                                          CommandLine const& command_line,
+                                          RCP<const Communicator> const& communicator)
+{
+  try {
+    return std::make_unique<PreparedRun<Dim>>(deck, command_line, communicator);
+  } catch (SolveError const& error) {
+    throw InputError(std::string("The state at the start cannot be computed. ") + error.what() +
+                     " Check Boundary Conditions, Bulk and Initial State.");
+  }
+}
+
+// Calls `use` with the prepared run, in as many dimensions as the deck's mesh has.
+template <class Use>
+auto withPreparedRun(RCP<ParameterList> const& deck, CommandLine const& command_line,
+                     RCP<const Communicator> const& communicator, Use const& use)
+{
+  if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
+    return use(*prepare<3>(deck, command_line, communicator));
+  }
+  refuseZ(*deck);
+  return use(*prepare<2>(deck, command_line, communicator));
+}
+} // namespace
+
+Description validateDeck(RCP<ParameterList> const& deck, CommandLine const& command_line,
+                         RCP<const Communicator> const& communicator)
+{
+  return withPreparedRun(deck, command_line, communicator,
+                         [](auto const& prepared) { return prepared.description(); });
+}
+
+namespace
+{
+template <int Dim>
+int run(PreparedRun<Dim>& prepared, CommandLine const& command_line)
+{
+  return Simulation<Dim>(prepared, command_line).run();
+}
+} // namespace
+
+int runDeck(RCP<ParameterList> const& deck, CommandLine const& command_line,
+            RCP<const Communicator> const& communicator)
+{
+  return withPreparedRun(deck, command_line, communicator,
+                         [&](auto& prepared) { return run(prepared, command_line); });
+}
+} // namespace asperity::scenario
