@@ -55,6 +55,19 @@ public:
     declare_.real(name, required, unit, range, meaning);
     return bind<double>(name, member);
   }
+  // An entry that the deck may leave out; the member is a std::optional<double>.
+  template <class Member>
+  Entries& real(std::string const& name, Member member, Optional, std::string const& unit,
+                Range range, std::string const& meaning)
+  {
+    declare_.real(name, optional, unit, range, meaning);
+    readers_.push_back([=](ParameterList const& list, std::string const&, T& result) {
+      if (list.isParameter(name)) {
+        std::invoke(member, result) = list.get<double>(name);
+      }
+    });
+    return *this;
+  }
   template <class Member>
   Entries& integer(std::string const& name, Member member, Range range, std::string const& meaning)
   {
@@ -106,6 +119,22 @@ public:
                                     })->second;
     });
     return *this;
+  }
+
+  // Words without values: the member is the chosen word.
+  template <class Member>
+  Entries& choice(std::string const& name, Member member, std::vector<std::string> const& words,
+                  std::string const& meaning)
+  {
+    declare_.choice(name, value(member), words, meaning);
+    return bind<std::string>(name, member);
+  }
+  template <class Member>
+  Entries& choiceOfLists(std::string const& name, Member member,
+                         std::vector<Declare::NamedList> const& lists, std::string const& meaning)
+  {
+    declare_.choiceOfLists(name, value(member), lists, meaning);
+    return bind<std::string>(name, member);
   }
 
   // A vector of any length, or an std::array, whose length the deck has to keep.

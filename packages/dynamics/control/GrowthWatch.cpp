@@ -96,8 +96,7 @@ std::optional<Warning> GrowthWatch::noteSlowSlip(Step const& step)
 }
 
 GrowthWatch::GrowthWatch(WatchContext const& context)
-    : GrowthWatch(context.slip_distance,
-                  context.deck.sublist("Time Stepping").get<int>("Most Hiding Steps"),
+    : GrowthWatch(context.slip_distance, context.deck.sublist("Time Stepping").get<int>(limit),
                   !context.adapts)
 {
   tolerance_ = context.tolerance;

@@ -16,6 +16,9 @@ namespace asperity::dynamics
 class GrowthWatch : public Watch
 {
 public:
+  // The entry of the deck's list `Time Stepping`.
+  static constexpr char const* limit = "Most Hiding Steps";
+
   // slip_distance: L [m], the smallest of the fault; 0 if unknown: then growth alone counts in
   // steps that do not meet the tolerance, and other steps are not judged.
   // most: the number of forced, or of other steps that hide growth at which the run ends; 0 means

@@ -24,7 +24,7 @@ constexpr char const* advice = "Try a smaller 'Smallest Step', a looser toleranc
 } // namespace
 
 StallWatch::StallWatch(WatchContext const& context)
-    : StallWatch(context.deck.sublist("Time Stepping").get<int>("Most Forced Steps"))
+    : StallWatch(context.deck.sublist("Time Stepping").get<int>(limit))
 {
 }
 

@@ -9,6 +9,9 @@ namespace asperity::dynamics
 class StallWatch : public Watch
 {
 public:
+  // The entry of the deck's list `Time Stepping`.
+  static constexpr char const* limit = "Most Forced Steps";
+
   // most_forced: the number of forced steps in a row at which the run ends; 0 means no limit.
   explicit StallWatch(std::int64_t most_forced) : most_forced_(most_forced) {}
   explicit StallWatch(WatchContext const& context);

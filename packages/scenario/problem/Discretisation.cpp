@@ -86,7 +86,7 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto patches = makePatches(bulk, boundary.faults, mesh, rock, *communicator);
   auto const dofs =
     std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
-  const double end = finalTime(deck.sublist("Time Stepping"));
+  const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
   const std::vector<double> samples = {0, end / 3, end};
   auto const constraints =
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);

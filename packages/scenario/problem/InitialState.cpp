@@ -158,11 +158,9 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
   if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
-    auto const& time = deck.sublist("Time Stepping");
-    double dt = std::min(time.get<double>("Largest Step"), finalTime(time)) * 1e-6;
-    if (time.isParameter("Smallest Step")) {
-      dt = std::min(dt, time.get<double>("Smallest Step"));
-    }
+    auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+    double dt = std::min(time.largest_step, time.final_time) * 1e-6;
+    dt = std::min(dt, time.smallest_step.value_or(dt));
     auto const load = body.vector();
     body.load(0, *load);
     state.a = dynamics::prescribedAcceleration(body, dt);

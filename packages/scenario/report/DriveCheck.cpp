@@ -39,7 +39,7 @@ template <int Dim>
 std::vector<Warning> warnOfDrive(Problem<Dim> const& problem, ParameterList const& deck)
 {
   const double fastest = fastestDrive(quasiDynamic(deck.sublist("Bulk")));
-  const double end = finalTime(deck.sublist("Time Stepping"));
+  const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
   std::vector<Warning> warnings;
   for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
     for (char const* entry : {"Velocity", "Plate Rate"}) {

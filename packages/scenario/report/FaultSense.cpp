@@ -6,6 +6,7 @@
 #include "fem/constraints/PlaneTangent.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -233,8 +234,7 @@ MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::st
     fault.sides.tangent = scaled(tangent, 1 / length(tangent));
   }
   auto const& bulk = deck.sublist("Bulk");
-  fault.sides.is_section =
-    problem.components() == 2 && bulk.get<double>("Gravitational Acceleration") > 0;
+  fault.sides.is_section = problem.components() == 2 && gravityActs(bulk);
   // Without gravity a plane may be a map; then +y counts as up in a section.
   fault.sides.up = fault.sides.is_section ? scaled(problem.discretisation.upright.down, -1)
                    : Dim == 2 && problem.components() == 2 ? Vector3{0, 1, 0}
@@ -303,11 +303,6 @@ std::string ofPlates(MeanFault const& fault, int dimension)
   const double rate = sides.components == 1 ? fault.plates[2] : dot(fault.plates, tangentOf(sides));
   return "The plates slip along it at " + formatShort(rate) +
          " m/s on the average: " + senseInWords(sides, rate) + ".";
-}
-
-bool gravityActs(ParameterList const& bulk)
-{
-  return bulk.get<double>("Gravitational Acceleration") > 0;
 }
 } // namespace
 

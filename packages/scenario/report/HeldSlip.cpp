@@ -14,7 +14,7 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr int num_times = 16; // at which velocities of conditions are read
+constexpr int num_instants = 16; // at which velocities of conditions are read
 
 bool isAmong(std::vector<int> const& vertices, fem::FaultNode const& node)
 {
@@ -57,8 +57,8 @@ std::vector<double> prescribedRates(Problem<Dim> const& problem, double end)
   auto const& surface = problem.surface();
   std::vector<double> largest(surface.numNodes(), 0.);
   auto const v = problem.model.body.vector();
-  for (int i = 0; i <= num_times; ++i) {
-    problem.model.body.prescribed_velocity(end * i / num_times, *v);
+  for (int i = 0; i <= num_instants; ++i) {
+    problem.model.body.prescribed_velocity(end * i / num_instants, *v);
     auto const values = v->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (int node = 0; node < surface.numNodes(); ++node) {
       double square = 0;
@@ -125,7 +125,8 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
   std::stable_sort(conditions.begin(), conditions.end(),
                    [](auto const& a, auto const& b) { return holdsMore(a) > holdsMore(b); });
   auto held = heldNodes(problem, conditions);
-  auto const rates = prescribedRates(problem, finalTime(deck.sublist("Time Stepping")));
+  auto const rates =
+    prescribedRates(problem, TimeSettings::from(deck.sublist("Time Stepping")).final_time);
   for (auto const& condition : conditions) {
     if (condition.liesAlongFault()) {
       continue;

@@ -9,6 +9,7 @@
 #include "scenario/report/HeldSlip.hpp"
 #include "scenario/report/ResolutionCheck.hpp"
 #include "scenario/report/SizeCheck.hpp"
+#include "scenario/report/SmallestStep.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/Upright.hpp"
@@ -43,7 +44,7 @@ void describeWedge(ParameterList const& deck, std::array<double, 3> const& downw
   auto const down = isLeftOut(bulk, "Gravity Direction")
                       ? std::vector<double>(downwards.begin(), downwards.end())
                       : bulk.get<Teuchos::Array<double>>("Gravity Direction").toVector();
-  if (bulk.get<double>("Gravitational Acceleration") > 0 &&
+  if (gravityActs(bulk) &&
       !(std::abs(down[0] + slope * down[1]) <= 1e-6 * std::hypot(down[0], down[1]))) {
     description.warnings.push_back(
       {"direction of gravity",
@@ -76,7 +77,7 @@ void warnOfTolerance(ParameterList const& time_stepping, Description& descriptio
   if (tolerance > loose) {
     description.warnings.push_back(
       {"loose tolerance",
-       "Time Stepping / " + time_stepping.get<std::string>("Control") +
+       "Time Stepping / " + TimeSettings::from(time_stepping).control +
          " / Tolerance = " + formatShort(tolerance) + " is looser than " + formatShort(loose) +
          ": numbers and times of earthquakes may be wrong. Decks have 1e-5 to 1e-2; asperity-study "
          "--convergence tells what a tolerance does."});

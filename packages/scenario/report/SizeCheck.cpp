@@ -56,9 +56,9 @@ BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
   size.crossing_time = -times[0] * size.extent;
   size.cell_time = times[1];
   size.has_waves = !quasiDynamic(deck.sublist("Bulk"));
-  auto const& time = deck.sublist("Time Stepping");
-  size.smallest_step = time.isParameter("Smallest Step") ? time.get<double>("Smallest Step") : 0;
-  size.final_time = finalTime(time);
+  auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+  size.smallest_step = time.smallest_step.value_or(0);
+  size.final_time = time.final_time;
   return size;
 }
 
@@ -134,7 +134,7 @@ template <int Dim>
 std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, ParameterList const& deck)
 {
   constexpr double small_strain = 0.05;
-  const double end = finalTime(deck.sublist("Time Stepping"));
+  const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
   auto const& names = problem.discretisation.boundary.given_slip;
   for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
     auto const& name = condition.boundary;

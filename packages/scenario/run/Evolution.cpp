@@ -10,7 +10,7 @@
 #include "io/OutputSet.hpp"
 #include "mesh/BoundingBox.hpp"
 #include "mesh/PointText.hpp"
-#include "scenario/report/ResolutionCheck.hpp"
+#include "scenario/report/SmallestStep.hpp"
 #include "scenario/run/SkippedTimes.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
@@ -45,7 +45,7 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
     , condensation_(makeCondensation(problem_, deck))
     , model_(condensation_ ? condensation_->model() : problem_.model)
     , clock_(makeClock(deck.sublist("Time Stepping"), smallestStep(problem_, deck)))
-    , end_(clock_.reaching(scenario::finalTime(deck.sublist("Time Stepping"))))
+    , end_(clock_.reaching(TimeSettings::from(deck.sublist("Time Stepping")).final_time))
     , coupled_step_(makeCoupledStep(deck, problem_, model_, clock_))
     , control_(makeStepControl(deck.sublist("Time Stepping"),
                                io::OutputSet::times(deck.sublist("Output")), *coupled_step_,

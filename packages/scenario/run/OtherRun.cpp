@@ -11,7 +11,7 @@
 #include "scenario/OutputFields.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
-#include "scenario/report/ResolutionCheck.hpp"
+#include "scenario/report/SmallestStep.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"

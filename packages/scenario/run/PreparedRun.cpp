@@ -48,7 +48,7 @@ PreparedRun<Dim>::PreparedRun(RCP<ParameterList> const& deck_, CommandLine const
   if (!command_line.restart_from.empty()) {
     state_of_other_run =
       stateOfOtherRun(command_line.restart_from, problem, domains, *deck, evolution.clock(),
-                      finalTime(deck->sublist("Time Stepping")));
+                      TimeSettings::from(deck->sublist("Time Stepping")).final_time);
   }
 }
 

@@ -23,6 +23,7 @@ namespace asperity::scenario
 namespace
 {
 constexpr char const* radiation_damping = "Radiation Damping";
+constexpr char const* acceleration_entry = "Gravitational Acceleration";
 
 RCP<const ParameterList> lawsOfRegions()
 {
@@ -65,7 +66,7 @@ RCP<const ParameterList> bulkParameters()
            "the three moduli.")
     .field(bulk_entries::poissons_ratio, optional, "-", Range::open(-1, 0.5),
            "The material has this Poisson's ratio.")
-    .real("Gravitational Acceleration", 0., "m/s^2", Range::atLeast(0),
+    .real(acceleration_entry, 0., "m/s^2", Range::atLeast(0),
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")
     .realArray("Gravity Direction", optional, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
@@ -114,6 +115,8 @@ bool quasiDynamic(ParameterList const& list)
   return list.get<std::string>("Dynamics") == "Quasi-dynamic";
 }
 
+bool gravityActs(ParameterList const& list) { return list.get<double>(acceleration_entry) > 0; }
+
 std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,
                                      fem::OtherSide const& other_side,
                                      std::vector<fem::Material> const& at_nodes)
@@ -137,7 +140,7 @@ std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const
 template <int Dim>
 std::array<double, Dim> gravity(ParameterList const& list, std::array<double, 3> const& down)
 {
-  const double acceleration = list.get<double>("Gravitational Acceleration");
+  const double acceleration = list.get<double>(acceleration_entry);
   std::array<double, Dim> result{};
   if (acceleration == 0) {
     return result;

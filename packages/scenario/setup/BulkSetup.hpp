@@ -21,6 +21,9 @@ int displacementComponents(ParameterList const& list, int dimension);
 // Whether the body has no mass, and its fault has radiation damping instead.
 bool quasiDynamic(ParameterList const& list);
 
+// Whether gravity acts on the body.
+bool gravityActs(ParameterList const& list);
+
 // The radiation damping eta [Pa s/m] at the nodes of a fault, traction per slip rate; zero unless
 // quasi-dynamic. The default follows from the materials at_nodes(num_nodes) and the other side.
 std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,

@@ -1,5 +1,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 
+#include "dynamics/control/GrowthWatch.hpp"
+#include "dynamics/control/StallWatch.hpp"
 #include "dynamics/control/StepControlKind.hpp"
 #include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
@@ -12,6 +14,7 @@ namespace asperity::scenario
 namespace
 {
 constexpr char const* largest_step = "Largest Step";
+constexpr char const* smallest_step = "Smallest Step";
 
 // To three digits; value > 0.
 double roundedDown(double value)
@@ -42,7 +45,7 @@ dynamics::RateUpdate newmark(ParameterList const& list)
   auto const [beta, limit] =
     newmarkEntries().read(list.sublist("Newmark"), joinPath(time_path, "Newmark"));
   if (beta < 0.25) {
-    const double largest = list.get<double>(largest_step);
+    const double largest = TimeSettings::from(list).largest_step;
     ASPERITY_REQUIRE(
       limit > 0,
       time_path << " / Newmark / beta = " << beta
@@ -55,20 +58,23 @@ dynamics::RateUpdate newmark(ParameterList const& list)
   return dynamics::RateUpdate::newmark(beta);
 }
 
-RCP<const ParameterList> generalisedAlphaParameters()
+struct GeneralisedAlpha
 {
-  return Declare()
-    .real("Spectral Radius", 0.5, "-", Range::closed(0, 1),
-          "A step multiplies modes that are far faster than itself by this factor: 0 removes "
-          "them at once, 1 keeps them (Newmark). While every step doubles, they decay for values "
-          "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.")
-    .list();
+  double spectral_radius = 0.5;
+};
+
+Entries<GeneralisedAlpha> generalisedAlphaEntries()
+{
+  return Entries<GeneralisedAlpha>().real(
+    "Spectral Radius", &GeneralisedAlpha::spectral_radius, "-", Range::closed(0, 1),
+    "A step multiplies modes that are far faster than itself by this factor: 0 removes "
+    "them at once, 1 keeps them (Newmark). While every step doubles, they decay for values "
+    "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.");
 }
 
-} // namespace
-
-RCP<const ParameterList> timeParameters()
+Entries<TimeSettings> timeEntries()
 {
+  using S = TimeSettings;
   std::vector<Declare::NamedList> controls;
   std::string meaning = "Selects how step sizes are chosen.";
   auto const& registered = dynamics::StepControlRegistry::instance();
@@ -77,36 +83,39 @@ RCP<const ParameterList> timeParameters()
     controls.emplace_back(name, control.validParameters());
     meaning += ' ' + name + ": " + control.meaning();
   }
-  return Declare()
-    .real("Final Time", required, "s", Range::positive(),
+  Entries<S> entries;
+  entries
+    .real("Final Time", &S::final_time, required, "s", Range::positive(),
           "The run ends at this time, rounded up to a multiple of the smallest step; the last "
           "steps are cut short to meet it.")
-    .realArray("Instants", std::vector<double>{}, "s", Range::positive(),
+    .realArray("Instants", &S::instants, "s", Range::positive(),
                "No step passes one of these times: a step ends there, to within the smallest step.")
     .hint("Name the times at which a load changes faster than steps follow.")
     .choiceOfLists(
-      "Scheme", "Newmark",
+      "Scheme", &S::scheme,
       {{"Newmark", newmarkEntries().list()},
        {"Backward Euler", Declare().list()},
-       {"Generalised Alpha", generalisedAlphaParameters()}},
+       {"Generalised Alpha", generalisedAlphaEntries().list()}},
       "Selects the scheme by which displacement and acceleration follow from the velocity. Newmark "
       "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.")
-    .integer("Most Forced Steps", 10000, Range::atLeast(0),
+    .others() // read by the watches
+    .integer(dynamics::StallWatch::limit, 10000, Range::atLeast(0),
              "The run ends with an error after this number of steps in a row that even at the "
              "smallest size did not meet the tolerance; 0 means that there is no limit. A restart "
              "continues the count unless Smallest Step is smaller.")
-    .integer("Most Hiding Steps", 10, Range::atLeast(0),
+    .integer(dynamics::GrowthWatch::limit, 10, Range::atLeast(0),
              "The run ends with an error after this number of steps that hide a growing slip rate: "
              "after them the peak slip rate is more than twice that before, and slips in a step by "
              "more than a tenth of L if the step does not meet the tolerance even at the smallest "
              "size, by more than L if it meets it. The two kinds are counted apart, and a restart "
              "continues the counts: the first begins again with a smaller Smallest Step, the "
-             "second with a smaller Tolerance. 0 means no limit, but a warning.")
-    .real(largest_step, 33554432., "s", Range::positive(),
+             "second with a smaller Tolerance. 0 means no limit, but a warning.");
+  entries
+    .real(largest_step, &S::largest_step, "s", Range::positive(),
           "The size of every step is this one divided by a power of two. The default is 2^25 s, "
           "about a year; where steps are prescribed, give it.")
     .real(
-      "Smallest Step", optional, "s", Range::positive(),
+      smallest_step, &S::smallest_step, optional, "s", Range::positive(),
       "No step is smaller than this, rounded down to the largest step divided by a power of two. "
       "Without it this is a hundredth of L over a seismic slip rate 20 b sigma_n / Z, where Z is "
       "the shear impedance at the fault, and with inertia at most a tenth of the time that a shear "
@@ -114,19 +123,28 @@ RCP<const ParameterList> timeParameters()
       ">= b, there is no default.")
     .hint("Steps that are too large to follow an earthquake lose it: choose it a few hundred times "
           "smaller than L over the slip rate of earthquakes.")
-    .choiceOfLists("Control", "Step Doubling", controls, meaning)
-    .list();
+    .choiceOfLists("Control", &S::control, controls, meaning);
+  return entries;
+}
+} // namespace
+
+RCP<const ParameterList> timeParameters() { return timeEntries().list(); }
+
+TimeSettings TimeSettings::from(ParameterList const& list)
+{
+  return timeEntries().read(list, time_path);
 }
 
 std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
                                                   std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock)
 {
-  auto times = list.get<Teuchos::Array<double>>("Instants").toVector();
+  auto const settings = TimeSettings::from(list);
+  auto times = settings.instants;
   times.insert(times.end(), output_times.begin(), output_times.end());
-  std::vector<dynamics::DyadicTime::Ticks> result = {clock.reaching(finalTime(list))};
+  std::vector<dynamics::DyadicTime::Ticks> result = {clock.reaching(settings.final_time)};
   for (const double t : times) {
-    if (t > 0 && t < finalTime(list)) {
+    if (t > 0 && t < settings.final_time) {
       result.push_back(clock.reaching(t));
     }
   }
@@ -134,31 +152,31 @@ std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
   return result;
 }
 
-double finalTime(ParameterList const& list) { return list.get<double>("Final Time"); }
-
 double stepTolerance(ParameterList const& list)
 {
-  auto const& control = list.sublist(list.get<std::string>("Control"));
+  auto const& control = list.sublist(TimeSettings::from(list).control);
   constexpr char const* name = "Tolerance";
   return control.isType<double>(name) ? control.get<double>(name) : 0;
 }
 
 dynamics::DyadicTime makeClock(ParameterList const& list)
 {
-  ASPERITY_REQUIRE(list.isParameter("Smallest Step"),
-                   time_path << " / Smallest Step is missing: it has no default here. Give it.");
-  return makeClock(list, list.get<double>("Smallest Step"));
+  auto const given = TimeSettings::from(list).smallest_step;
+  ASPERITY_REQUIRE(given, time_path << " / " << smallest_step
+                                    << " is missing: it has no default here. Give it.");
+  return makeClock(list, *given);
 }
 
 dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
 {
-  const double largest = list.get<double>(largest_step);
+  auto const settings = TimeSettings::from(list);
+  const double largest = settings.largest_step;
   ASPERITY_REQUIRE(smallest <= largest, time_path << " / Smallest Step = " << smallest
                                                   << " s is larger than the largest step, "
                                                   << largest << " s.");
   // As a difference, which does not overflow.
   const double levels = std::ceil(std::log2(largest) - std::log2(smallest) - 1e-9);
-  const bool is_given = list.isParameter("Smallest Step");
+  const bool is_given = settings.smallest_step.has_value();
   ASPERITY_REQUIRE(levels <= 60 || !is_given,
                    time_path << " / Smallest Step = " << smallest
                              << " s is less than the largest one, " << largest
@@ -172,8 +190,8 @@ dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
   // Sums of two times must not overflow.
   constexpr double most_ticks = 4.5e18;
   const double tick = clock.stepSize(clock.finestLevel());
-  ASPERITY_REQUIRE(clock.reaches(2 * (finalTime(list) + largest)),
-                   time_path << " / Final Time = " << finalTime(list)
+  ASPERITY_REQUIRE(clock.reaches(2 * (settings.final_time + largest)),
+                   time_path << " / Final Time = " << settings.final_time
                              << " s is too long: time is counted in smallest steps, here of "
                              << tick << " s, to " << most_ticks << " of them. Choose at most "
                              << roundedDown(most_ticks * tick - largest) << " s"
@@ -184,12 +202,14 @@ dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
 
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
 {
-  auto const scheme = list.get<std::string>("Scheme");
+  auto const scheme = TimeSettings::from(list).scheme;
   if (scheme == "Backward Euler") {
     return dynamics::RateUpdate::backwardEuler();
   }
   if (scheme == "Generalised Alpha") {
-    const double radius = list.sublist(scheme).get<double>("Spectral Radius");
+    const double radius = generalisedAlphaEntries()
+                            .read(list.sublist(scheme), joinPath(time_path, scheme))
+                            .spectral_radius;
     ASPERITY_REQUIRE(
       has_mass || radius < 1,
       time_path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
@@ -210,7 +230,7 @@ std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list
                                                        dynamics::CoupledStep& step,
                                                        double wave_rate)
 {
-  auto const name = list.get<std::string>("Control");
+  auto const name = TimeSettings::from(list).control;
   auto control = dynamics::StepControlRegistry::instance().at(name).make(
     list.sublist(name), {step, step.update().order, time_path, wave_rate});
   ASPERITY_REQUIRE(control->adapts() || !list.getEntry(largest_step).isDefault(),

@@ -3,15 +3,31 @@
 #include "dynamics/control/StepControl.hpp"
 #include "parameters/Parameters.hpp"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace asperity::scenario
 {
 // The deck's list `Time Stepping`.
 RCP<const ParameterList> timeParameters();
 
+// Its own entries.
+struct TimeSettings
+{
+  double final_time = 0;        // [s]
+  std::vector<double> instants; // [s]
+  std::string scheme = "Newmark";
+  double largest_step = 33554432;      // [s]
+  std::optional<double> smallest_step; // [s]
+  std::string control = "Step Doubling";
+
+  static TimeSettings from(ParameterList const& list);
+};
+
 // The default of `Scheme` for a body without mass.
 constexpr char const* massless_scheme = "Generalised Alpha";
 
-double finalTime(ParameterList const& list);
 // `Tolerance` of the control that the list chooses; 0 if that has none.
 double stepTolerance(ParameterList const& list);
 // `Final Time`, and those of `Instants` and of the output times [s] that are in the run, in ticks,

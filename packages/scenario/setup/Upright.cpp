@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -106,7 +107,7 @@ Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& s
 {
   auto const& bulk = deck.sublist("Bulk");
   auto const names = quotedNames(surface.boundaries);
-  const bool has_gravity = bulk.get<double>("Gravitational Acceleration") > 0;
+  const bool has_gravity = gravityActs(bulk);
   auto const up = dimension == 3 ? given(deck.sublist("Output"), "Up") : std::nullopt;
   auto const down = has_gravity ? given(bulk, "Gravity Direction") : std::nullopt;
   auto const outward = facing(surface, faces);
@@ -165,7 +166,7 @@ Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& s
 
 std::optional<Warning> warnOfUp(ParameterList const& bulk, int dimension, Upright const& upright)
 {
-  const bool acts = bulk.get<double>("Gravitational Acceleration") > 0;
+  const bool acts = gravityActs(bulk);
   if (dimension < 3 || !acts || upright.is_known) {
     return std::nullopt;
   }
@@ -188,7 +189,7 @@ ParameterList& completeDirections(ParameterList& deck, int dimension, Upright co
   auto& bulk = deck.sublist("Bulk");
   auto const down = opposite(up);
   std::vector<double> direction = {down[0], down[1]};
-  const bool acts = bulk.get<double>("Gravitational Acceleration") > 0;
+  const bool acts = gravityActs(bulk);
   if (dimension == 3 && down[2] != 0 && acts) {
     direction.push_back(down[2]);
   }

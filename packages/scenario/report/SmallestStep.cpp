@@ -1,0 +1,144 @@
+#include "scenario/report/SmallestStep.hpp"
+
+#include "base/Text.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "mesh/MeshQuality.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/TimeSetup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace asperity::scenario
+{
+namespace
+{
+constexpr char const* step_name = "Smallest Step";
+
+double defaultStep(dynamics::FaultResolution const& resolution, ParameterList const& deck)
+{
+  const double largest = TimeSettings::from(deck.sublist("Time Stepping")).largest_step;
+  const double seismic = dynamics::seismicStep(resolution, !quasiDynamic(deck.sublist("Bulk")));
+  return std::min(seismic, largest / 2);
+}
+
+// The time that a shear wave takes through the smallest cell [s].
+template <int Dim>
+double crossingTime(Problem<Dim> const& problem)
+{
+  auto const diameters = mesh::cellDiameters(problem.mesh());
+  double shortest = std::numeric_limits<double>::infinity();
+  for (std::size_t cell = 0; cell < diameters.size(); ++cell) {
+    auto const& material = problem.discretisation.rock.materials[cell];
+    shortest = std::min(shortest, diameters[cell] * material.density / material.shearImpedance());
+  }
+  return minOverRanks(shortest, *problem.communicator);
+}
+
+// Where no state of the fault decides on steps (Fault::stateDecides), and no earthquake can be
+// lost: the time at which slip or a load begins is met to a millionth of the run.
+template <int Dim>
+double defaultWithoutState(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  constexpr double share_of_run = 1e-6, share_of_crossing = 0.1;
+  auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+  const double largest = time.largest_step;
+  const double of_run = share_of_run * std::min(time.final_time, largest);
+  return quasiDynamic(deck.sublist("Bulk"))
+           ? of_run
+           : std::min({of_run, share_of_crossing * crossingTime(problem), largest / 2});
+}
+
+template <int Dim>
+double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  if (auto const given = TimeSettings::from(deck.sublist("Time Stepping")).smallest_step) {
+    return *given;
+  }
+  if (!problem.model.fault.stateDecides()) {
+    return defaultWithoutState(problem, deck);
+  }
+  ASPERITY_REQUIRE(problem.scales.resolution,
+                   time_path << " / " << step_name
+                             << " is missing. It has a default only if friction weakens "
+                                "somewhere that can slip and its laws declare a, b and L. "
+                                "Give a step that resolves the fastest slip.");
+  return defaultStep(*problem.scales.resolution, deck);
+}
+
+// Such rock is a fluid in any step, and its shear modulus a number without effect.
+constexpr double far_below = 1e-3; // relaxation time over the smallest step
+} // namespace
+
+template <int Dim>
+double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  const double step = stepOfDeckOrDefault(problem, deck);
+  for (auto const& branch : problem.discretisation.rock.branches) {
+    ASPERITY_REQUIRE(branch.time >= far_below * step,
+                     bulk_path << ": a relaxation time, " << branch.time
+                               << " s, is less than a thousandth of the smallest step, " << step
+                               << " s. Check the viscosity, whose unit is Pa s, and the shear "
+                                  "modulus; or choose a smaller '"
+                               << step_name << "'.");
+  }
+  return step;
+}
+
+namespace
+{
+double shortestPrescribed(ParameterList const& time) // [s], 0 if no size is named
+{
+  auto const levels = time.sublist("Prescribed").get<Teuchos::Array<int>>("Levels");
+  auto const finest = std::max_element(levels.begin(), levels.end());
+  return finest == levels.end() ? 0 : std::ldexp(TimeSettings::from(time).largest_step, -*finest);
+}
+} // namespace
+
+template <int Dim>
+void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
+                          Description& description)
+{
+  auto const& list = deck.sublist("Time Stepping");
+  auto const time = TimeSettings::from(list);
+  auto const& resolution = problem.scales.resolution;
+  if (!problem.model.fault.stateDecides() && !time.smallest_step) {
+    description.lines.push_back(step_name + (" = " + formatShort(smallestStep(problem, deck))) +
+                                " s by default, since no state of the fault decides on steps.");
+  }
+  if (!resolution) {
+    return;
+  }
+  const double seismic = resolution->seismic_time, advised = defaultStep(*resolution, deck);
+  if (time.control == "Prescribed") {
+    const double shortest = shortestPrescribed(list);
+    if (shortest > seismic) {
+      description.warnings.push_back(
+        {"smallest step", "The shortest prescribed step, " + formatShort(shortest) +
+                            " s, is longer than an earthquake takes to slip by L, " +
+                            formatShort(seismic) +
+                            " s: earthquakes may be lost. Choose another 'Control', or steps of " +
+                            formatShort(advised) + " s or less."});
+    }
+  } else if (!time.smallest_step) {
+    description.lines.push_back(
+      "Smallest Step = " + formatShort(advised) + " s by default: an earthquake slips by L in " +
+      formatShort(seismic) + " s or more; a shear wave takes " +
+      formatShort(resolution->crossing_time) + " s through a cell at the fault.");
+  } else if (*time.smallest_step > seismic) {
+    description.warnings.push_back(
+      {"smallest step", "Smallest Step = " + formatShort(*time.smallest_step) +
+                          " s is longer than an earthquake takes to slip by L, " +
+                          formatShort(seismic) +
+                          " s: earthquakes may be lost. Leave it out for the default of " +
+                          formatShort(advised) + " s, or choose a smaller one."});
+  }
+}
+
+template double smallestStep(Problem<2> const&, ParameterList const&);
+template double smallestStep(Problem<3> const&, ParameterList const&);
+template void describeSmallestStep(Problem<2> const&, ParameterList const&, Description&);
+template void describeSmallestStep(Problem<3> const&, ParameterList const&, Description&);
+} // namespace asperity::scenario
