@@ -121,14 +121,7 @@ public:
     return *this;
   }
 
-  // Words without values: the member is the chosen word.
-  template <class Member>
-  Entries& choice(std::string const& name, Member member, std::vector<std::string> const& words,
-                  std::string const& meaning)
-  {
-    declare_.choice(name, value(member), words, meaning);
-    return bind<std::string>(name, member);
-  }
+  // The member is the chosen word.
   template <class Member>
   Entries& choiceOfLists(std::string const& name, Member member,
                          std::vector<Declare::NamedList> const& lists, std::string const& meaning)

@@ -54,10 +54,10 @@ void registerFaultFields(io::FieldRegistry& registry, RunView const& view,
   if (components > 1) {
     quantities.push_back(slip_velocity);
   }
-  for (auto const& of : quantities) {
-    registry.add(
-      io::OutputField{of.name, of.unit, of.meaning, "fault", of.components,
-                      [&view, get = of.values](Values& values) { values = (view.fault->*get)(); }});
+  for (auto const& quantity : quantities) {
+    registry.add(io::OutputField{
+      quantity.name, quantity.unit, quantity.meaning, "fault", quantity.components,
+      [&view, get = quantity.values](Values& values) { values = (view.fault->*get)(); }});
   }
 }
 

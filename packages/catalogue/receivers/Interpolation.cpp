@@ -38,17 +38,17 @@ std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
   constexpr std::size_t points_at_once = 4096; // bounds what ranks know of each other's points
   const int rank = to_.comm->getRank(), num_ranks = to_.comm->getSize();
   std::vector<Values> result(fields.size());
-  for (int of = 0; of < num_ranks; ++of) {
-    const auto size = maxOverRanks(rank == of ? GlobalOrdinal(to_.numOwned()) : 0, *to_.comm);
+  for (int asking = 0; asking < num_ranks; ++asking) {
+    const auto size = maxOverRanks(rank == asking ? GlobalOrdinal(to_.numOwned()) : 0, *to_.comm);
     for (std::size_t first = 0; first < static_cast<std::size_t>(size); first += points_at_once) {
       const auto last = std::min(first + points_at_once, static_cast<std::size_t>(size));
-      const auto located = rank == of ? find(part(to_.coordinates, to_.dimension, first, last),
-                                             part(searched_, to_.dimension, first, last))
-                                      : find({}, {});
+      const auto located = rank == asking ? find(part(to_.coordinates, to_.dimension, first, last),
+                                                 part(searched_, to_.dimension, first, last))
+                                          : find({}, {});
       const Sampling sampling(from_, located);
       for (std::size_t i = 0; i < fields.size(); ++i) {
         auto const values = sampling(fields[i], components);
-        if (rank == of) {
+        if (rank == asking) {
           result[i].insert(result[i].end(), values.begin(), values.end());
         }
       }

@@ -35,7 +35,7 @@ public:
 
   std::vector<double> strain() const { return stress_.strain(motions_.now(false).displacement); }
 
-  std::vector<double> stress() const { return of(motions_.now(is_viscous_)); }
+  std::vector<double> stress() const { return observed(motions_.now(is_viscous_)); }
 
   // Stress is linear in the motion.
   std::vector<double> stressSinceStart() const
@@ -47,11 +47,11 @@ public:
     for (std::size_t k = 0; k < motion.branches.size(); ++k) {
       subtract(start.branches[k], motion.branches[k]);
     }
-    return of(motion);
+    return observed(motion);
   }
 
 private:
-  std::vector<double> of(VertexMotion const& motion) const
+  std::vector<double> observed(VertexMotion const& motion) const
   {
     auto stress = stress_.stress(motion.displacement, motion.velocity, motion.branches);
     if (yielded_) {
@@ -160,13 +160,13 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
       tensor("stress", "Pa",
              "Elastic and viscous stress in each element, positive in tension; without the deck's "
              "Shear Traction and Normal Stress."),
-      stress, [](ObservedStress<Dim> const& of) { return of.stress(); });
+      stress, [](ObservedStress<Dim> const& observed) { return observed.stress(); });
   add(registry, tensor("strain", "", "Strain in each element, positive in extension."), stress,
-      [](ObservedStress<Dim> const& of) { return of.strain(); });
+      [](ObservedStress<Dim> const& observed) { return observed.strain(); });
   if (body.yielded) {
     add(registry,
         tensor("inelastic_strain", "", "Strain of each element that remains without stress."),
-        stress, [](ObservedStress<Dim> const& of) { return of.yielded().strain; });
+        stress, [](ObservedStress<Dim> const& observed) { return observed.yielded().strain; });
     add(registry,
         {"inelastic_shear",
          "",
@@ -174,15 +174,16 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
          domain.name,
          1,
          {}},
-        stress, [](ObservedStress<Dim> const& of) { return of.yielded().shear; });
+        stress, [](ObservedStress<Dim> const& observed) { return observed.yielded().shear; });
   }
   for (auto const& [variable, first, width] : body.history) {
     const std::string name = variable.name;
     auto field = width > 1
                    ? tensor(variable.name, variable.unit, variable.meaning)
                    : io::OutputField{name, variable.unit, variable.meaning, domain.name, 1, {}};
-    add(registry, field, stress,
-        [name](ObservedStress<Dim> const& of) { return of.yielded().history.at(name); });
+    add(registry, field, stress, [name](ObservedStress<Dim> const& observed) {
+      return observed.yielded().history.at(name);
+    });
   }
   for (auto const& [name, plane] : planes) {
     ASPERITY_REQUIRE(plane.isLoaded(components),
@@ -199,8 +200,8 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
          domain.name,
          1,
          {}},
-        stress, [components, plane = plane](ObservedStress<Dim> const& of) {
-          return plane.stress(of.stressSinceStart(), components);
+        stress, [components, plane = plane](ObservedStress<Dim> const& observed) {
+          return plane.stress(observed.stressSinceStart(), components);
         });
   }
 }

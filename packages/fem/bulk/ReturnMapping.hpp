@@ -68,16 +68,16 @@ struct TrialStress
   double deviator[most_tensor_components] = {};
   double mean = 0, shear_stress = 0;
 
-  KOKKOS_INLINE_FUNCTION TrialStress(YieldingCells const& of, int cell)
-      : size(of.strain.extent_int(1))
+  KOKKOS_INLINE_FUNCTION TrialStress(YieldingCells const& yielding, int cell)
+      : size(yielding.strain.extent_int(1))
   {
     double trace = 0;
-    mean = of.initial_mean(cell);
+    mean = yielding.initial_mean(cell);
     for (int k = 0; k < size; ++k) {
-      const double elastic = of.strain(cell, k) - of.inelastic_before(cell, k);
-      deviator[k] = of.initial_stress(cell, k) + 2 * of.shear_modulus(cell) * elastic;
+      const double elastic = yielding.strain(cell, k) - yielding.inelastic_before(cell, k);
+      deviator[k] = yielding.initial_stress(cell, k) + 2 * yielding.shear_modulus(cell) * elastic;
       trace += isOnDiagonal(size, k) ? deviator[k] : 0;
-      mean += isOnDiagonal(size, k) ? of.bulk_modulus(cell) * elastic : 0;
+      mean += isOnDiagonal(size, k) ? yielding.bulk_modulus(cell) * elastic : 0;
     }
     for (int k = 0; k < size; ++k) {
       deviator[k] -= isOnDiagonal(size, k) ? trace / 3 : 0;
@@ -130,17 +130,17 @@ template <class Law>
 struct ReturnMapping
 {
   Kokkos::View<const Law*, MemorySpace> laws; // (num of the law)
-  YieldingCells of;
+  YieldingCells yielding;
 
   KOKKOS_FUNCTION void operator()(int i) const
   {
-    const int cell = of.cells(i);
-    const double G = of.shear_modulus(cell);
-    const TrialStress trial(of, cell);
-    const double K = of.bulk_modulus(cell);
+    const int cell = yielding.cells(i);
+    const double G = yielding.shear_modulus(cell);
+    const TrialStress trial(yielding, cell);
+    const double K = yielding.bulk_modulus(cell);
     const double t = trial.shear_stress;
-    const Trial of_cell = {t, trial.mean, of.shear_before(cell, 0), G, K, of.step};
-    of.shear_stress(cell) = t;
+    const Trial of_cell = {t, trial.mean, yielding.shear_before(cell, 0), G, K, yielding.step};
+    yielding.shear_stress(cell) = t;
     if constexpr (HasHistory<Law>::value) {
       respond(i, cell, trial, of_cell);
     } else {
@@ -151,13 +151,13 @@ struct ReturnMapping
   KOKKOS_FUNCTION void respond(int i, int cell, TrialStress const& trial,
                                Trial const& of_cell) const
   {
-    auto history = loadHistory<Law>(of.history_before, cell, of.column, trial.size);
+    auto history = loadHistory<Law>(yielding.history_before, cell, yielding.column, trial.size);
     const InelasticChange change = laws(i).respond(trial, of_cell, history);
-    storeHistory<Law>(history, of.history, cell, of.column, trial.size);
+    storeHistory<Law>(history, yielding.history, cell, yielding.column, trial.size);
     for (int k = 0; k < trial.size; ++k) {
-      of.inelastic(cell, k) = of.inelastic_before(cell, k) + change.strain[k];
+      yielding.inelastic(cell, k) = yielding.inelastic_before(cell, k) + change.strain[k];
     }
-    of.shear(cell, 0) = of.shear_before(cell, 0) + change.shear;
+    yielding.shear(cell, 0) = yielding.shear_before(cell, 0) + change.shear;
   }
 
   KOKKOS_FUNCTION void returnTo(int i, int cell, TrialStress const& trial,
@@ -171,16 +171,17 @@ struct ReturnMapping
       opened = K > 0 ? (trial.mean - laws(i).meanStress(of_cell)) / (3 * K) : 0;
     }
     for (int k = 0; k < trial.size; ++k) {
-      of.inelastic(cell, k) = of.inelastic_before(cell, k) + lost * trial.deviator[k] / (2 * G) +
-                              (isOnDiagonal(trial.size, k) ? opened : 0);
+      yielding.inelastic(cell, k) = yielding.inelastic_before(cell, k) +
+                                    lost * trial.deviator[k] / (2 * G) +
+                                    (isOnDiagonal(trial.size, k) ? opened : 0);
     }
-    of.shear(cell, 0) = of.shear_before(cell, 0) + (t - t1) / G;
+    yielding.shear(cell, 0) = yielding.shear_before(cell, 0) + (t - t1) / G;
   }
 
   void run() const
   {
-    Kokkos::parallel_for("asperity::fem::returnMapping", RangePolicy(0, of.cells.extent_int(0)),
-                         *this);
+    Kokkos::parallel_for("asperity::fem::returnMapping",
+                         RangePolicy(0, yielding.cells.extent_int(0)), *this);
   }
 };
 } // namespace asperity::fem

@@ -22,10 +22,10 @@ struct PrescribedBeside
   {
     const double parts[2] = {V, beside};
     const double S = length(parts);
-    const auto of = curve.response(S);
-    const double tau = sigma_n * of.mu + cohesion;
+    const auto response = curve.response(S);
+    const double tau = sigma_n * response.mu + cohesion;
     const double r = V / S, rr = r * r, across = (beside / S) * (beside / S); // 1 - r^2
-    const double first = sigma_n * of.first, second = sigma_n * of.second;
+    const double first = sigma_n * response.first, second = sigma_n * response.second;
     return {r * tau, r * (rr * first + across * tau),
             r * (rr * rr * second + 4 * rr * across * first + across * (1 - 3 * rr) * tau)};
   }

@@ -163,13 +163,13 @@ std::optional<Warning> TensionWatch::warningOfRun() const
                           " That was at t = " + formatShort(most_.time) + " s."};
 }
 
-std::string TensionWatch::text(Tension const& of) const
+std::string TensionWatch::text(Tension const& tension) const
 {
-  std::vector<double> place(of.place.begin(), of.place.end());
+  std::vector<double> place(tension.place.begin(), tension.place.end());
   auto const& stress = fault_.normalStress();
   const bool is_fixed = stress.change() == dynamics::NormalStressChange::fixed;
-  return "pulls at " + formatShort(std::round(1000 * of.share) / 10) +
-         " % of the fault, most with " + formatShort(of.largest) + " Pa of tension at " +
+  return "pulls at " + formatShort(std::round(1000 * tension.share) / 10) +
+         " % of the fault, most with " + formatShort(tension.largest) + " Pa of tension at " +
          formatPoint(place) + " m. A fault would open there, but the model holds it shut" +
          (is_fixed ? ", and friction keeps the Normal Stress of the deck, since Normal Stress "
                      "Change is Fixed. "

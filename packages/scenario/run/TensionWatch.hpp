@@ -39,7 +39,7 @@ private:
     std::array<double, 3> place{}; // of the largest [m]
   };
   Tension tensionAt(Vector const& force, double time);
-  std::string text(Tension const& of) const;
+  std::string text(Tension const& tension) const;
 
   dynamics::Fault const& fault_;
   dynamics::ReactionSinceStart since_start_;

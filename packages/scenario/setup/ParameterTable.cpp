@@ -4,9 +4,9 @@ namespace asperity::scenario
 {
 namespace
 {
-Range rangeOf(Parameter const& of)
+Range rangeOf(Parameter const& parameter)
 {
-  return {of.lower, of.lower_closed, of.upper, of.upper_closed};
+  return {parameter.lower, parameter.lower_closed, parameter.upper, parameter.upper_closed};
 }
 } // namespace
 

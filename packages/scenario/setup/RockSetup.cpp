@@ -90,8 +90,8 @@ branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
 {
   std::vector<double> mine;
   for (auto const& shares : of_cells) {
-    for (auto const& of : shares) {
-      mine.push_back(of.time);
+    for (auto const& relaxation : shares) {
+      mine.push_back(relaxation.time);
     }
   }
   const auto distinct = [](std::vector<double> times) {
@@ -110,9 +110,9 @@ branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
   for (const double time : times) {
     branches.push_back({time, std::vector<double>(of_cells.size(), 0.)});
     for (std::size_t cell = 0; cell < of_cells.size(); ++cell) {
-      for (auto const& of : of_cells[cell]) {
+      for (auto const& relaxation : of_cells[cell]) {
         branches.back().moduli[cell] +=
-          of.time == time ? of.share * materials[cell].shear_modulus : 0;
+          relaxation.time == time ? relaxation.share * materials[cell].shear_modulus : 0;
       }
     }
   }

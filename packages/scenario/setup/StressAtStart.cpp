@@ -28,11 +28,12 @@ struct Tractions
   double normal = 0; // positive in compression
 };
 
-std::string text(Tractions const& of)
+std::string text(Tractions const& tractions)
 {
   return "a shear traction of " +
-         (of.shear.size() == 1 ? formatShort(of.shear[0]) : formatPoint(of.shear)) +
-         " Pa and a normal stress of " + formatShort(of.normal) + " Pa";
+         (tractions.shear.size() == 1 ? formatShort(tractions.shear[0])
+                                      : formatPoint(tractions.shear)) +
+         " Pa and a normal stress of " + formatShort(tractions.normal) + " Pa";
 }
 
 // Of the stress (6 components), -sigma n; the body lies on the side against which n points.
@@ -65,7 +66,7 @@ struct Misfit
 
 Misfit misfit(Tractions const& rock, Tractions const& fault, bool with_normal)
 {
-  const auto of = [](double difference, double a, double b) {
+  const auto relative = [](double difference, double a, double b) {
     const double larger = std::max(a, b);
     return Misfit{larger > 0 ? difference / larger : 0, difference};
   };
@@ -74,10 +75,10 @@ Misfit misfit(Tractions const& rock, Tractions const& fault, bool with_normal)
     difference[k] -= fault.shear[k];
   }
   constexpr double of_normal = 0.01; // less shear than this part of the normal stress is none
-  auto const along = of(size(difference), std::max(size(rock.shear), size(fault.shear)),
-                        of_normal * std::abs(fault.normal));
-  auto const across = with_normal ? of(std::abs(rock.normal - fault.normal), std::abs(rock.normal),
-                                       std::abs(fault.normal))
+  auto const along = relative(size(difference), std::max(size(rock.shear), size(fault.shear)),
+                              of_normal * std::abs(fault.normal));
+  auto const across = with_normal ? relative(std::abs(rock.normal - fault.normal),
+                                             std::abs(rock.normal), std::abs(fault.normal))
                                   : Misfit();
   return {std::max(along.part, across.part), std::max(along.size, across.size)};
 }
