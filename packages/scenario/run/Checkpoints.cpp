@@ -10,8 +10,7 @@
 namespace asperity::scenario
 {
 template <int Dim>
-NodeSets nodeSets(Problem<Dim> const& problem,
-                  std::map<std::string, io::OutputDomain> const& domains)
+NodeSets nodeSets(Problem<Dim> const& problem, Domains const& domains)
 {
   auto const& ids = problem.mesh().global_ids;
   NodeSets sets;
@@ -28,8 +27,8 @@ NodeSets nodeSets(Problem<Dim> const& problem,
   return sets;
 }
 
-template NodeSets nodeSets(Problem<2> const&, std::map<std::string, io::OutputDomain> const&);
-template NodeSets nodeSets(Problem<3> const&, std::map<std::string, io::OutputDomain> const&);
+template NodeSets nodeSets(Problem<2> const&, Domains const&);
+template NodeSets nodeSets(Problem<3> const&, Domains const&);
 
 Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
                          std::vector<std::string> const& plugins, io::Fingerprint fingerprint,

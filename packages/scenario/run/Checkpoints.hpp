@@ -1,15 +1,14 @@
 #pragma once
 
-#include "io/OutputDomain.hpp"
 #include "io/checkpoint/Checkpoint.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/fields/Domains.hpp"
 #include "scenario/problem/Problem.hpp"
 
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,7 @@ namespace asperity::scenario
 {
 // The sets of nodes to which values in a checkpoint of the problem may belong, by name.
 template <int Dim>
-NodeSets nodeSets(Problem<Dim> const& problem,
-                  std::map<std::string, io::OutputDomain> const& domains);
+NodeSets nodeSets(Problem<Dim> const& problem, Domains const& domains);
 
 // The checkpoints of a run: when one is due, and what a restart must match.
 class Checkpoints

@@ -5,9 +5,9 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/Output.hpp"
 #include "scenario/Condensation.hpp"
-#include "scenario/FloorCount.hpp"
 #include "scenario/RunArchive.hpp"
-#include "scenario/RunView.hpp"
+#include "scenario/fields/FloorCount.hpp"
+#include "scenario/fields/RunView.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/report/RunReport.hpp"
 

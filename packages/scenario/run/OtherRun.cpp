@@ -8,9 +8,9 @@
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
-#include "scenario/OutputFields.hpp"
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
+#include "scenario/fields/Domains.hpp"
 #include "scenario/report/SmallestStep.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -26,7 +26,6 @@ namespace asperity::scenario
 namespace
 {
 using Values = std::vector<double>;
-using Domains = std::map<std::string, io::OutputDomain>;
 
 void requireSame(std::string const& what, std::string const& here, std::string const& there,
                  std::string const& run)

@@ -2,11 +2,10 @@
 
 #include "base/Archive.hpp"
 #include "dynamics/DyadicTime.hpp"
-#include "io/OutputDomain.hpp"
+#include "scenario/fields/Domains.hpp"
 #include "scenario/problem/Problem.hpp"
 
 #include <filesystem>
-#include <map>
 #include <string>
 
 namespace asperity::scenario
@@ -25,6 +24,6 @@ namespace asperity::scenario
 // Collective.
 template <int Dim>
 Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
-                        std::map<std::string, io::OutputDomain> const& domains,
-                        ParameterList const& deck, dynamics::DyadicTime const& clock, double end);
+                        Domains const& domains, ParameterList const& deck,
+                        dynamics::DyadicTime const& clock, double end);
 } // namespace asperity::scenario

@@ -3,8 +3,7 @@
 #include "catalogue/receivers/OnFault.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
-#include "scenario/LockedFields.hpp"
-#include "scenario/OutputFields.hpp"
+#include "scenario/fields/OutputFields.hpp"
 #include "scenario/report/RunReport.hpp"
 #include "scenario/run/OtherRun.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -39,9 +38,7 @@ PreparedRun<Dim>::PreparedRun(RCP<ParameterList> const& deck_, CommandLine const
 {
   auto const& problem = evolution.problem();
   auto const& output = deck->sublist("Output");
-  registerFields(registry, problem, evolution.view(), domains, deck->sublist("Friction"));
-  registerLockedResponse(registry, problem, evolution.view(), domains);
-  registerStress(registry, problem, evolution.view(), domains, output);
+  registerFields(registry, problem, evolution.view(), domains, *deck);
   outputs = std::make_unique<io::OutputSet>(
     output, io::OutputContext{
               directory, communicator, registry, domains, {0, 1, 0}, evolution.finalTime()});

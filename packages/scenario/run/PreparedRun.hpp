@@ -9,7 +9,6 @@
 #include "scenario/run/Evolution.hpp"
 
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,7 +33,7 @@ struct PreparedRun
   RCP<const Communicator> communicator;
   std::filesystem::path directory; // of the results
   Evolution<Dim> evolution;
-  std::map<std::string, io::OutputDomain> domains;
+  Domains domains;
   io::FieldRegistry registry;
   std::unique_ptr<io::OutputSet> outputs;
   std::optional<Warning> unread; // entries of the deck

@@ -1,4 +1,4 @@
-#include "scenario/OutputFields.hpp"
+#include "scenario/fields/OutputFields.hpp"
 
 #include "SampleDeck.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -29,7 +29,7 @@ struct Start
     sample.begin(problem.model.initial, 0, balance);
     view.fault = &sample;
     view.balance = &balance;
-    registerFields(registry, problem, view, domains, deck.sublist("Friction"));
+    registerFields(registry, problem, view, domains, deck);
   }
 
   std::vector<double> onFault(std::string const& name) const

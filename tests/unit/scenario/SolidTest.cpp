@@ -1,5 +1,5 @@
 #include "SampleDeck.hpp"
-#include "scenario/OutputFields.hpp"
+#include "scenario/fields/OutputFields.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -65,7 +65,7 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
   view.balance = &balance;
   auto const domains = makeDomains(problem);
   io::FieldRegistry registry;
-  registerFields(registry, problem, view, domains, deck.sublist("Friction"));
+  registerFields(registry, problem, view, domains, deck);
   std::vector<double> values;
   registry.field("fault", name).values(values);
   return values;

@@ -3,7 +3,7 @@
 #include "dynamics/condensation/VertexMotion.hpp"
 #include "dynamics/control/StepControl.hpp"
 #include "dynamics/observables/FaultSample.hpp"
-#include "scenario/FloorCount.hpp"
+#include "scenario/fields/FloorCount.hpp"
 
 #include <memory>
 

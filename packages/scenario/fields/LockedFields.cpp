@@ -1,4 +1,4 @@
-#include "scenario/LockedFields.hpp"
+#include "scenario/fields/LockedFields.hpp"
 
 #include "base/Errors.hpp"
 #include "dynamics/observables/LockedResponse.hpp"
@@ -84,7 +84,7 @@ private:
 
 template <int Dim>
 void add(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-         std::map<std::string, io::OutputDomain> const& domains, io::OutputField field,
+         Domains const& domains, io::OutputField field,
          std::shared_ptr<ResponseInTime<Dim>> const& response)
 {
   field.unit = "m";
@@ -107,8 +107,7 @@ void add(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const
 
 template <int Dim>
 void registerLockedResponse(io::FieldRegistry& registry, Problem<Dim> const& problem,
-                            RunView const& view,
-                            std::map<std::string, io::OutputDomain> const& domains)
+                            RunView const& view, Domains const& domains)
 {
   auto const body = std::make_shared<LockedBody<Dim>>(problem);
   auto const offer = [&](char const* name, std::string const& cause, Response response) {
@@ -134,7 +133,7 @@ void registerLockedResponse(io::FieldRegistry& registry, Problem<Dim> const& pro
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template void registerLockedResponse(io::FieldRegistry&, Problem<Dim> const&, RunView const&,    \
-                                       std::map<std::string, io::OutputDomain> const&);
+                                       Domains const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

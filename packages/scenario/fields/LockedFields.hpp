@@ -1,11 +1,10 @@
 #pragma once
 
 #include "io/FieldRegistry.hpp"
-#include "io/OutputDomain.hpp"
-#include "scenario/RunView.hpp"
+#include "scenario/fields/Domains.hpp"
+#include "scenario/fields/RunView.hpp"
 #include "scenario/problem/Problem.hpp"
 
-#include <map>
 #include <string>
 
 namespace asperity::scenario
@@ -14,6 +13,5 @@ namespace asperity::scenario
 // on the surface of a body that has them; with the lifetimes of registerFields.
 template <int Dim>
 void registerLockedResponse(io::FieldRegistry& registry, Problem<Dim> const& problem,
-                            RunView const& view,
-                            std::map<std::string, io::OutputDomain> const& domains);
+                            RunView const& view, Domains const& domains);
 } // namespace asperity::scenario

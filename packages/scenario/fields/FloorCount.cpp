@@ -1,4 +1,4 @@
-#include "scenario/FloorCount.hpp"
+#include "scenario/fields/FloorCount.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

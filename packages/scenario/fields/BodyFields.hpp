@@ -1,0 +1,21 @@
+#pragma once
+
+#include "io/FieldRegistry.hpp"
+#include "scenario/fields/Domains.hpp"
+#include "scenario/fields/RunView.hpp"
+
+namespace asperity::scenario
+{
+// All of these: problem, view and domain must outlive the registry.
+
+// Registers displacement, velocity and acceleration, along the axes, at the vertices of a domain.
+template <int Dim>
+void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
+                    io::OutputDomain const& domain);
+
+// Registers stress, strain and the Coulomb stress changes on the planes of `output`, the deck's
+// list, in the volume and on the surface.
+template <int Dim>
+void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
+                    Domains const& domains, ParameterList const& output);
+} // namespace asperity::scenario

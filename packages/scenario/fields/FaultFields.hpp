@@ -1,0 +1,14 @@
+#pragma once
+
+#include "io/FieldRegistry.hpp"
+#include "scenario/fields/RunView.hpp"
+#include "scenario/problem/Problem.hpp"
+
+namespace asperity::scenario
+{
+// Registers the fields on the fault: those of the state and of processes, and constant ones.
+// Problem and view must outlive the registry; `friction` is the deck's list.
+template <int Dim>
+void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& problem,
+                         RunView const& view, ParameterList const& friction);
+} // namespace asperity::scenario

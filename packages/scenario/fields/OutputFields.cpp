@@ -1,0 +1,29 @@
+#include "scenario/fields/OutputFields.hpp"
+
+#include "scenario/fields/BodyFields.hpp"
+#include "scenario/fields/FaultFields.hpp"
+#include "scenario/fields/LockedFields.hpp"
+#include "scenario/fields/RunScalars.hpp"
+
+namespace asperity::scenario
+{
+template <int Dim>
+void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
+                    Domains const& domains, ParameterList const& deck)
+{
+  if (domains.count("fault") > 0) {
+    registerFaultFields(registry, problem, view, deck.sublist("Friction"));
+  }
+  for (auto const& [name, domain] : domains) {
+    registerMotion(registry, problem, view, domain);
+  }
+  registerScalars(registry, view, Dim, problem.model.body.cells != nullptr);
+  registerLockedResponse(registry, problem, view, domains);
+  registerStress(registry, problem, view, domains, deck.sublist("Output"));
+}
+
+template void registerFields(io::FieldRegistry&, Problem<2> const&, RunView const&, Domains const&,
+                             ParameterList const&);
+template void registerFields(io::FieldRegistry&, Problem<3> const&, RunView const&, Domains const&,
+                             ParameterList const&);
+} // namespace asperity::scenario
