@@ -1,7 +1,7 @@
 // A watch of your own: warns once slip is longer than a share of the body, where small strains do
-// not describe it. dynamics/control/Watch.hpp says what a watch has to have.
+// not describe it. dynamics/watches/Watch.hpp says what a watch has to have.
 #include "base/parallel/Reductions.hpp"
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/Watch.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/control/StepControlKind.hpp"
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/Watch.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"

@@ -11,10 +11,10 @@
 #include "mesh/BoundingBox.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/report/SmallestStep.hpp"
-#include "scenario/run/SkippedTimes.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/watches/SkippedTimes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "dynamics/control/Watch.hpp"
 #include "dynamics/coupling/CoupledStep.hpp"
+#include "dynamics/watches/Watch.hpp"
 #include "io/Output.hpp"
 #include "scenario/Condensation.hpp"
 #include "scenario/RunArchive.hpp"

@@ -1,8 +1,8 @@
 #include "scenario/setup/TimeSetup.hpp"
 
-#include "dynamics/control/GrowthWatch.hpp"
-#include "dynamics/control/StallWatch.hpp"
 #include "dynamics/control/StepControlKind.hpp"
+#include "dynamics/watches/GrowthWatch.hpp"
+#include "dynamics/watches/StallWatch.hpp"
 #include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/control/EnergyIncreaseWatch.hpp"
+#include "dynamics/watches/EnergyIncreaseWatch.hpp"
 
 #include "unit/base/Refusal.hpp"
 

@@ -1,6 +1,6 @@
-#include "dynamics/control/GrowthWatch.hpp"
+#include "dynamics/watches/GrowthWatch.hpp"
 
-#include "dynamics/control/SlowSlip.hpp"
+#include "dynamics/watches/SlowSlip.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>

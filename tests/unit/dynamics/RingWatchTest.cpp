@@ -1,4 +1,4 @@
-#include "dynamics/control/RingWatch.hpp"
+#include "dynamics/watches/RingWatch.hpp"
 
 #include "unit/io/Support.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/control/StallWatch.hpp"
+#include "dynamics/watches/StallWatch.hpp"
 
 #include "unit/base/Refusal.hpp"
 

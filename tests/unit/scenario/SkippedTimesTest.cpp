@@ -1,4 +1,4 @@
-#include "scenario/run/SkippedTimes.hpp"
+#include "scenario/watches/SkippedTimes.hpp"
 
 #include "SampleDeck.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/Watch.hpp"
 
 namespace asperity::dynamics
 {

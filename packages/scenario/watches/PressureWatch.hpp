@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/Watch.hpp"
 
 namespace asperity::scenario
 {

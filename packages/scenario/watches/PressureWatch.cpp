@@ -1,4 +1,4 @@
-#include "scenario/run/PressureWatch.hpp"
+#include "scenario/watches/PressureWatch.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/control/StallWatch.hpp"
+#include "dynamics/watches/StallWatch.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

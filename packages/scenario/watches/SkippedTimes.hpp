@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/Watch.hpp"
 #include "parameters/Parameters.hpp"
 #include "parameters/fields/Expression.hpp"
 #include "scenario/problem/Problem.hpp"

@@ -1,4 +1,4 @@
-#include "scenario/run/TensionWatch.hpp"
+#include "scenario/watches/TensionWatch.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/control/SlowSlip.hpp"
+#include "dynamics/watches/SlowSlip.hpp"
 
 #include "base/parallel/Reductions.hpp"
 

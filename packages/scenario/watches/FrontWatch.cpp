@@ -1,4 +1,4 @@
-#include "scenario/run/FrontWatch.hpp"
+#include "scenario/watches/FrontWatch.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/control/GrowthWatch.hpp"
+#include "dynamics/watches/GrowthWatch.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,5 +1,5 @@
 #include "dynamics/checks/PlausibleValues.hpp"
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/Watch.hpp"
 
 namespace asperity::dynamics
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/control/SlowSlip.hpp"
-#include "dynamics/control/Watch.hpp"
+#include "dynamics/watches/SlowSlip.hpp"
+#include "dynamics/watches/Watch.hpp"
 
 namespace asperity::dynamics
 {
