@@ -87,6 +87,12 @@ public:
     return bind<std::string>(name, member);
   }
   template <class Member>
+  Entries& fileName(std::string const& name, Member member, Required, std::string const& meaning)
+  {
+    declare_.fileName(name, required, meaning);
+    return bind<std::string>(name, member);
+  }
+  template <class Member>
   Entries& fileName(std::string const& name, Member member, std::string const& meaning)
   {
     declare_.fileName(name, value(member), meaning);
@@ -148,6 +154,19 @@ public:
                          joinPath(path, name) << " has " << given.size() << " numbers, but needs "
                                               << values.size() << ".");
         std::copy(given.begin(), given.end(), values.begin());
+      }
+    });
+    return *this;
+  }
+
+  // An entry that the deck may leave out; the member is a std::optional<std::vector<std::string>>.
+  template <class Member>
+  Entries& textArray(std::string const& name, Member member, Optional, std::string const& meaning)
+  {
+    declare_.textArray(name, optional, meaning);
+    readers_.push_back([=](ParameterList const& list, std::string const&, T& result) {
+      if (list.isParameter(name)) {
+        std::invoke(member, result) = list.get<Teuchos::Array<std::string>>(name).toVector();
       }
     });
     return *this;

@@ -1,6 +1,7 @@
 #include "scenario/Condensation.hpp"
 
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
 
 #include <algorithm>
 
@@ -34,8 +35,8 @@ template <int Dim>
 std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> const& problem,
                                                                ParameterList const& deck)
 {
-  const bool is_wanted = deck.sublist("TNNMG").get<std::string>("Static Condensation") == "Auto" &&
-                         problem.solver.correction == dynamics::Correction::direct;
+  const bool is_wanted =
+    mayCondense(deck.sublist("TNNMG")) && problem.solver.correction == dynamics::Correction::direct;
   if (!is_wanted || problem.surface().numGlobalNodes() == 0 ||
       !problem.discretisation.boundary.tractions.empty() || problem.model.body.cells ||
       hasGravity<Dim>(deck.sublist("Bulk")) || !boundariesMoveSteadily(problem)) {

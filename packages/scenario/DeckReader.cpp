@@ -11,6 +11,7 @@
 #include "scenario/deck/Names.hpp"
 #include "scenario/problem/InitialState.hpp"
 #include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/CheckpointSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
@@ -32,13 +33,7 @@ RCP<const ParameterList> outputParameters()
   auto list = rcp(new ParameterList(*io::OutputSet::validParameters()));
   Declare declare(*list);
   catalogue::declareCoulombPlanes(declare);
-  declare
-    .integer("Checkpoint Every n Steps", 5000, Range::atLeast(1),
-             "A checkpoint is written after this number of accepted steps.")
-    .real("Checkpoint Every Minutes", 60, "min", Range::positive(),
-          "A checkpoint is also written when this much wall time has passed since the last one. A "
-          "killed run loses at most this time. Each checkpoint closes one file of every history: "
-          "a few hundred checkpoints in a run are enough.");
+  CheckpointIntervals::declare(*list);
   return list;
 }
 

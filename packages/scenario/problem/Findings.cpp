@@ -78,7 +78,7 @@ std::optional<Warning> warnOfContrast(SetupContext<Dim> const& context)
   });
   return dynamics::warnOfContrast(
     dynamics::materialContrast(plus.places, above, below, *surface.communicator()),
-    friction.get<std::string>("Normal Stress Change"));
+    FrictionSettings::from(friction).change);
 }
 } // namespace
 

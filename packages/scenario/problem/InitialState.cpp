@@ -5,6 +5,7 @@
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/InitialState.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
+#include "parameters/Entries.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/FaultNodes.hpp"
@@ -14,7 +15,6 @@
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 namespace asperity::scenario
@@ -22,14 +22,24 @@ namespace asperity::scenario
 namespace
 {
 constexpr std::array<char const*, 3> velocity_names = {"Velocity X", "Velocity Y", "Velocity Z"};
-} // namespace
 
-RCP<const ParameterList> initialStateParameters()
+struct InitialChoices
 {
-  return Declare()
-    .choice("Displacement", "Static", {"Static", "Zero"},
+  bool is_static = true;   // the displacement
+  bool is_balanced = true; // the acceleration
+  dynamics::AlphaAtStart alpha = dynamics::AlphaAtStart::given;
+};
+
+Entries<InitialChoices> initialEntries()
+{
+  using S = InitialChoices;
+  using dynamics::AlphaAtStart;
+  Entries<S> entries;
+  entries
+    .choice("Displacement", &S::is_static, {{"Static", true}, {"Zero", false}},
             "Selects the initial displacement. Static: it balances gravity on a fault without "
             "friction. Zero: it is zero.")
+    .others()
     .field(velocity_names[0], 0., "m/s", Range::any(),
            "The body starts with this velocity along x. An antiplane model has none.")
     .field(velocity_names[1], 0., "m/s", Range::any(),
@@ -39,24 +49,34 @@ RCP<const ParameterList> initialStateParameters()
     .field("Slip Rate", optional, "m/s", Range::any(),
            "The fault starts with this slip rate, in place of the one that follows from the "
            "velocity. It points along the tangent, in three dimensions along 'Slip Direction'. A "
-           "two-sided fault needs it, since the velocity is the same on both of its sides.")
-    .choice("Acceleration", "Balanced", {"Balanced", "Zero"},
+           "two-sided fault needs it, since the velocity is the same on both of its sides.");
+  entries
+    .choice("Acceleration", &S::is_balanced, {{"Balanced", true}, {"Zero", false}},
             "Selects the initial acceleration. Balanced: it follows from the balance of momentum; "
             "a quasi-dynamic model has none. Zero: it is zero whatever the forces are.")
-    .choice("State", "Given", {"Given", "Steady", "Stress Balance"},
+    .choice("State", &S::alpha,
+            {{"Given", AlphaAtStart::given},
+             {"Steady", AlphaAtStart::steady},
+             {"Stress Balance", AlphaAtStart::stress_balance}},
             "Selects the initial state on the fault. Given: it is the entry 'alpha'. Steady: it is "
             "the steady state at the initial slip rate. Stress Balance: friction at the initial "
             "slip rate, together with the radiation damping of a quasi-dynamic model, bears the "
             "initial shear traction.")
+    .others()
     .field("alpha", 0., "-", Range::any(),
-           "The fault starts with this state alpha = ln(theta V* / L); 0 is steady sliding at V*.")
-    .list();
+           "The fault starts with this state alpha = ln(theta V* / L); 0 is steady sliding at V*.");
+  return entries;
 }
 
-bool startsStatic(ParameterList const& list)
+InitialChoices choicesOf(ParameterList const& list)
 {
-  return list.get<std::string>("Displacement") == "Static";
+  return initialEntries().read(list, initial_path);
 }
+} // namespace
+
+RCP<const ParameterList> initialStateParameters() { return initialEntries().list(); }
+
+bool startsStatic(ParameterList const& list) { return choicesOf(list).is_static; }
 
 namespace
 {
@@ -103,20 +123,15 @@ NodeView initialAlpha(ParameterList const& list, FieldNodes const& nodes,
                       dynamics::Fault const& fault, dynamics::State const& state,
                       std::vector<double> const& traction)
 {
-  static const std::map<std::string, dynamics::AlphaAtStart> kinds = {
-    {"Given", dynamics::AlphaAtStart::given},
-    {"Steady", dynamics::AlphaAtStart::steady},
-    {"Stress Balance", dynamics::AlphaAtStart::stress_balance}};
   auto const& surface = fault.surface();
-  auto const kind = list.get<std::string>("State");
   const BlockView w("asperity::scenario::w", surface.numNodes(), surface.numTangents());
   dynamics::gatherSlip(surface, *state.v, w);
   return dynamics::initialAlpha(
-    fault, kinds.at(kind),
+    fault, choicesOf(list).alpha,
     {nodalValues(list, "alpha", initial_path, nodes), traction, fault.given(state).sigma_n, w},
     [&](int i) {
-      return initial_path + " / State = " + kind + ": at node " + std::to_string(nodes.ids[i]) +
-             ", x = " + nodes.text(i) + ",";
+      return initial_path + " / State = " + list.get<std::string>("State") + ": at node " +
+             std::to_string(nodes.ids[i]) + ", x = " + nodes.text(i) + ",";
     });
 }
 } // namespace
@@ -157,7 +172,7 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
   state.alpha = initialAlpha(list, at_fault, fault, state, start.traction);
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
-  if (list.get<std::string>("Acceleration") == "Balanced" && !quasiDynamic(deck.sublist("Bulk"))) {
+  if (choicesOf(list).is_balanced && !quasiDynamic(deck.sublist("Bulk"))) {
     auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
     double dt = std::min(time.largest_step, time.final_time) * 1e-6;
     dt = std::min(dt, time.smallest_step.value_or(dt));

@@ -64,11 +64,11 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
   const bool follows = followsAtOnce(friction); // Prakash-Clifton also follows pressure and time
   ASPERITY_REQUIRE(!follows || discretisation.components() == Dim,
                    "Asperity / Friction / Normal Stress Change = "
-                     << friction.get<std::string>("Normal Stress Change")
+                     << FrictionSettings::from(friction).change
                      << ", but antiplane motion does not press across the fault. Choose Fixed.");
   ASPERITY_REQUIRE(!follows || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress Change = "
-                     << friction.get<std::string>("Normal Stress Change")
+                     << FrictionSettings::from(friction).change
                      << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
                         "change. Choose Fixed.");
   const bool start_static = startsStatic(context.deck.sublist("Initial State"));

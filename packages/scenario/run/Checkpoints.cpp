@@ -6,6 +6,7 @@
 #include "base/program/WorkTimers.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/RunArchive.hpp"
+#include "scenario/setup/CheckpointSetup.hpp"
 
 namespace asperity::scenario
 {
@@ -34,8 +35,8 @@ Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList c
                          std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
                          RCP<const Communicator> const& communicator)
     : directory_(directory)
-    , interval_(output.get<int>("Checkpoint Every n Steps"))
-    , minutes_(output.get<double>("Checkpoint Every Minutes"))
+    , interval_(CheckpointIntervals::from(output).num_steps)
+    , minutes_(CheckpointIntervals::from(output).minutes)
     , plugins_(contentOfPlugins(plugins))
     , fingerprint_(std::move(fingerprint))
     , communicator_(communicator)

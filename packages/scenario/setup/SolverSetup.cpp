@@ -9,44 +9,79 @@ namespace asperity::scenario
 {
 namespace
 {
+constexpr char const* tnnmg_path = "Asperity / TNNMG";
+
 // Number of unknowns from which on a factor with its fill costs more than a few V-cycles.
 long long largestDirect(int dimension) { return dimension == 2 ? 100000 : 10000; }
+
+enum class Choice
+{
+  automatic,
+  direct,
+  multigrid
+};
+
+// The entries of the list that are not those of tnnmg::TnnmgSettings.
+struct SolverSettings
+{
+  Choice correction = Choice::automatic;
+  bool may_condense = true;
+  double memory = 2000; // [MB]
+};
+
+Entries<SolverSettings> solverEntries(ParameterList& list)
+{
+  using S = SolverSettings;
+  Entries<S> entries({}, list);
+  entries
+    .choice("Linear Correction", &S::correction,
+            {{"Auto", Choice::automatic}, {"Direct", Choice::direct}, {"MueLu", Choice::multigrid}},
+            "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
+            "of Z is made once for each step size and leaves a Schur complement on the fault; it "
+            "works on one rank. MueLu: algebraic multigrid is used. Auto: this is Direct for small "
+            "problems on one rank, and MueLu otherwise.")
+    .choice("Static Condensation", &S::may_condense, {{"Auto", true}, {"Off", false}},
+            "Auto: with the direct correction, a quasi-dynamic body without gravity, tractions on "
+            "boundaries, viscosity or relaxation, whose boundaries move at constant velocities, is "
+            "condensed to its fault once for all steps, which changes only rounding errors. Off: "
+            "every step has all unknowns.")
+    .real("Memory Budget", &S::memory, "MB", Range::positive(),
+          "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
+          "recently used ones are removed first.")
+    .others()
+    .sublist("MueLu Correction", tnnmg::MultigridCorrection::validParameters(),
+             "This list controls the linear correction by MueLu's multigrid.");
+  return entries;
+}
+
+SolverSettings settingsOf(ParameterList const& list)
+{
+  ParameterList declared;
+  return solverEntries(declared).read(list, tnnmg_path);
+}
 } // namespace
 
 RCP<const ParameterList> solverParameters()
 {
   auto list = tnnmg::TnnmgSettings::entries().list();
-  Declare(*list)
-    .choice("Linear Correction", "Auto", {"Auto", "Direct", "MueLu"},
-            "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
-            "of Z is made once for each step size and leaves a Schur complement on the fault; it "
-            "works on one rank. MueLu: algebraic multigrid is used. Auto: this is Direct for small "
-            "problems on one rank, and MueLu otherwise.")
-    .choice("Static Condensation", "Auto", {"Auto", "Off"},
-            "Auto: with the direct correction, a quasi-dynamic body without gravity, tractions on "
-            "boundaries, viscosity or relaxation, whose boundaries move at constant velocities, is "
-            "condensed to its fault once for all steps, which changes only rounding errors. Off: "
-            "every step has all unknowns.")
-    .real("Memory Budget", 2000., "MB", Range::positive(),
-          "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
-          "recently used ones are removed first.")
-    .sublist("MueLu Correction", tnnmg::MultigridCorrection::validParameters(),
-             "This list controls the linear correction by MueLu's multigrid.");
+  solverEntries(*list);
   return list;
 }
+
+bool mayCondense(ParameterList const& list) { return settingsOf(list).may_condense; }
 
 dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
                                                 int dimension, long long num_unknowns)
 {
-  auto const choice = list.get<std::string>("Linear Correction");
-  ASPERITY_REQUIRE(choice != "Direct" || num_ranks == 1,
+  auto const choice = settingsOf(list).correction;
+  ASPERITY_REQUIRE(choice != Choice::direct || num_ranks == 1,
                    "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
                      << num_ranks << ". Choose MueLu or Auto.");
   tnnmg::MultigridCorrection::requireAccepted(list.sublist("MueLu Correction"));
   dynamics::RateSolverSettings settings;
-  settings.tnnmg = tnnmg::TnnmgSettings::entries().read(list, "Asperity / TNNMG");
-  const bool direct = choice == "Direct" || (choice == "Auto" && num_ranks == 1 &&
-                                             num_unknowns <= largestDirect(dimension));
+  settings.tnnmg = tnnmg::TnnmgSettings::entries().read(list, tnnmg_path);
+  const bool direct = choice == Choice::direct || (choice == Choice::automatic && num_ranks == 1 &&
+                                                   num_unknowns <= largestDirect(dimension));
   settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
   settings.multigrid = list.sublist("MueLu Correction");
   return settings;
@@ -54,8 +89,7 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
 
 std::string hintOnDirect(ParameterList const& list, int dimension, long long num_unknowns)
 {
-  if (list.get<std::string>("Linear Correction") != "Direct" ||
-      num_unknowns <= largestDirect(dimension)) {
+  if (settingsOf(list).correction != Choice::direct || num_unknowns <= largestDirect(dimension)) {
     return "";
   }
   return "Linear Correction = Direct factorises a matrix for each step size, which may take most "
@@ -68,7 +102,7 @@ std::string hintOnDirect(ParameterList const& list, int dimension, long long num
 std::size_t memoryBudget(ParameterList const& list)
 {
   constexpr auto most = std::numeric_limits<std::size_t>::max();
-  const double bytes = list.get<double>("Memory Budget") * 1e6;
+  const double bytes = settingsOf(list).memory * 1e6;
   return bytes < static_cast<double>(most) ? static_cast<std::size_t>(bytes) : most;
 }
 } // namespace asperity::scenario

@@ -19,5 +19,8 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
 // is condensed has one factor in all, which costs less.
 std::string hintOnDirect(ParameterList const& list, int dimension, long long num_unknowns);
 
+// Whether a body may be condensed to its fault.
+bool mayCondense(ParameterList const& list);
+
 std::size_t memoryBudget(ParameterList const& list); // of each rank, in bytes
 } // namespace asperity::scenario

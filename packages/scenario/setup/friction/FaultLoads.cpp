@@ -4,6 +4,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/conditions/PlateRate.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -76,7 +77,7 @@ std::vector<Warning> tensionAtStart(std::vector<double> const& pressure,
 
 std::vector<double> slipDirection(ParameterList const& friction)
 {
-  auto const given = friction.get<Teuchos::Array<double>>("Slip Direction").toVector();
+  auto const given = FrictionSettings::from(friction).slip_direction;
   ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
                    joinPath(friction_path, "Slip Direction")
                      << " needs three numbers, not all zero: where the shear traction points.");
@@ -151,7 +152,7 @@ NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes co
                                     std::vector<double> const& pressure,
                                     fem::FaultSurface const& surface)
 {
-  const double factor = friction.get<double>("Normal Stress Factor");
+  const double factor = FrictionSettings::from(friction).normal_stress_factor;
   auto const constant = [factor](std::vector<double> const& values) {
     return dynamics::NormalStress(
       toDevice(compression(values, factor), "asperity::scenario::normalStress"));

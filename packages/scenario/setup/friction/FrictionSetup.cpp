@@ -4,6 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/processes/RegularisedStress.hpp"
+#include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
@@ -31,11 +32,12 @@ RCP<const ParameterList> regularisationParameters()
     .hint("A rate V_ref beside the slip rate is a time of Slip Distance / V_ref.")
     .list();
 }
-} // namespace
 
-RCP<const ParameterList> frictionParameters()
+Entries<FrictionSettings> frictionEntries()
 {
-  Declare declare;
+  using S = FrictionSettings;
+  Entries<S> entries;
+  auto& declare = entries.others();
   declareLaws(declare);
   declare
     .field("Cohesion", 0., "Pa", Range::atLeast(0),
@@ -43,11 +45,12 @@ RCP<const ParameterList> frictionParameters()
     .field("Normal Stress", optional, "Pa", Range::any(),
            "The fault is under this normal stress, positive in compression. If it is left out, it "
            "follows from the static solution under gravity. Values that become negative after the "
-           "start count as zero.")
-    .real("Normal Stress Factor", 1., "-", Range::atLeast(0),
+           "start count as zero.");
+  entries
+    .real("Normal Stress Factor", &S::normal_stress_factor, "-", Range::atLeast(0),
           "This factor multiplies the normal stress.")
     .choiceOfLists(
-      change_choice, "Fixed",
+      change_choice, &S::change,
       {{"Fixed", Declare().list()},
        {"Lagged", Declare().list()},
        {"Coupled", Declare().list()},
@@ -57,39 +60,46 @@ RCP<const ParameterList> frictionParameters()
       "each step is added, with an error of first order in the step size. Coupled: the change up "
       "to its end, solved together with the state of the fault. Prakash-Clifton: as Coupled, and "
       "friction follows the effective normal stress with slip and time in place of at once.")
-    .real("Normal Stress Floor", 0., "Pa", Range::atLeast(0),
+    .real("Normal Stress Floor", &S::floor, "Pa", Range::atLeast(0),
           "The normal stress takes this value where it would fall below.")
+    .others()
     .field("Shear Traction", 0., "Pa", Range::any(),
            "This shear traction acts on the fault in addition to that of the deformation. It "
            "points along the tangent of the fault's frame, which is +x on a fault below the body, "
-           "and in three dimensions along the slip direction.")
-    .realArray("Slip Direction", std::vector<double>{1., 0., 0.}, "-", Range::any(),
-               "In three dimensions the shear traction points along this vector, projected onto "
-               "the fault. The length of the vector has no effect.");
+           "and in three dimensions along the slip direction.");
+  entries.realArray(
+    "Slip Direction", &S::slip_direction, "-", Range::any(),
+    "In three dimensions the shear traction points along this vector, projected onto "
+    "the fault. The length of the vector has no effect.");
   auto const& processes = dynamics::FaultProcessRegistry::instance();
   for (auto const& name : processes.names()) {
     declare.sublist(name, processes.at(name).validParameters(), processes.at(name).meaning());
   }
-  return declare.list();
+  return entries;
+}
+} // namespace
+
+RCP<const ParameterList> frictionParameters() { return frictionEntries().list(); }
+
+FrictionSettings FrictionSettings::from(ParameterList const& list)
+{
+  return frictionEntries().read(list, friction_path);
 }
 
 dynamics::NormalStressChange normalStressChange(ParameterList const& list)
 {
-  auto const chosen = list.get<std::string>(change_choice);
+  auto const chosen = FrictionSettings::from(list).change;
   return chosen == "Fixed"    ? dynamics::NormalStressChange::fixed
          : chosen == "Lagged" ? dynamics::NormalStressChange::lagged
                               : dynamics::NormalStressChange::coupled;
 }
 
-double normalStressFloor(ParameterList const& list)
-{
-  return list.get<double>("Normal Stress Floor");
-}
+double normalStressFloor(ParameterList const& list) { return FrictionSettings::from(list).floor; }
 
 bool followsAtOnce(ParameterList const& list)
 {
   return normalStressChange(list) != dynamics::NormalStressChange::fixed &&
-         list.get<std::string>(change_choice) != regularised;
+         FrictionSettings::from(list).change != regularised;
 }
 
 namespace
@@ -153,7 +163,7 @@ std::shared_ptr<const dynamics::FaultProcess> regularisation(ParameterList const
                                                              fem::FaultSurface const& surface,
                                                              dynamics::FaultProcesses const& before)
 {
-  if (list.get<std::string>(change_choice) != regularised) {
+  if (FrictionSettings::from(list).change != regularised) {
     return nullptr;
   }
   auto const& own = list.sublist(regularised);

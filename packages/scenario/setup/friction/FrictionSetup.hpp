@@ -4,11 +4,25 @@
 #include "dynamics/fault/Fault.hpp"
 #include "scenario/setup/NodalField.hpp"
 
+#include <string>
+#include <vector>
+
 namespace asperity::scenario
 {
 // The deck's list `Friction`: the laws with their parameters, cohesion, normal stress and shear
 // traction.
 RCP<const ParameterList> frictionParameters();
+
+// Its entries that are neither fields nor laws.
+struct FrictionSettings
+{
+  double normal_stress_factor = 1;
+  std::string change = "Fixed"; // of the normal stress
+  double floor = 0;             // of the normal stress [Pa]
+  std::vector<double> slip_direction = {1, 0, 0};
+
+  static FrictionSettings from(ParameterList const& list);
+};
 
 // How the normal stress follows the body, and the floor that it does not fall below [Pa].
 dynamics::NormalStressChange normalStressChange(ParameterList const& list);

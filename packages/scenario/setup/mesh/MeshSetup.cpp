@@ -10,6 +10,7 @@
 #include "mesh/file/PartitionedFile.hpp"
 #include "mesh/generation/FlatCells.hpp"
 #include "mesh/parallel/Partition.hpp"
+#include "parameters/Entries.hpp"
 #include "parameters/fields/Field.hpp"
 #include "refinement/UniformRefinement.hpp"
 #include "scenario/setup/DeckPaths.hpp"
@@ -17,6 +18,9 @@
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
 
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -52,90 +56,61 @@ auto ofMeshFile(Read const& read)
   }
 }
 
-// This rank's part of the mesh before it is refined.
-template <int Dim>
-Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
-                     RCP<const Communicator> const& communicator)
+struct MeshSettings
 {
-  auto const type = list.get<std::string>("Type");
-  auto const regions = conditionsIn<Dim>(list, "Regions");
-  auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
-  auto const where_regions = joinPath(mesh_path, "Regions");
-  auto const where_boundaries = joinPath(mesh_path, "Boundaries");
-  auto const faults = conditionsIn<Dim>(list, "Faults");
-  auto const where_faults = joinPath(mesh_path, "Faults");
-  auto const file_name =
-    type == "File" ? list.sublist(type).get<std::string>("File Name") : std::string();
-  if (type == "File" && ofMeshFile([&] { return mesh::isPartitioned(file_name, *communicator); })) {
-    ASPERITY_REQUIRE(!isGiven(list, flat_cells),
-                     joinPath(mesh_path, flat_cells)
-                       << " needs a whole mesh, but mesh file '" << file_name
-                       << "' is partitioned. Run on the whole mesh, or leave this entry out.");
-    ASPERITY_REQUIRE(faults.empty(),
-                     where_faults << " / " << faults.front().name << ": mesh file '" << file_name
-                                  << "' is partitioned, and was split along its faults before. "
-                                  << "Put the fault into the mesh and then partition it.");
-    auto part = ofMeshFile([&] { return mesh::readPart<Dim>(file_name, communicator); });
-    mesh::overrideRegions(part, regions, *communicator, where_regions);
-    mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
-    return part;
-  }
-  auto whole = type == "File"
-                 ? ofMeshFile([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
-                 : generateMesh<Dim>(list);
-  mesh::overrideRegions(whole, regions, where_regions);
-  mesh::overrideBoundaries(whole, boundaries, where_boundaries);
-  mesh::addFaults(whole, faults, where_faults);
-  if (isGiven(list, flat_cells)) {
-    mesh::flattenBeside(whole, list.get<Teuchos::Array<std::string>>(flat_cells).toVector(),
-                        list.get<double>("Flat Cell Height"), joinPath(mesh_path, flat_cells));
-  }
-  if (type == "File" || !faults.empty()) { // generators make none
-    mesh::splitFaults(whole, mesh_path);
-  }
-  mesh::PartitionOptions options;
-  options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
-  options.by_cells = list.get<int>("Refinements") > 0;
-  return mesh::distribute(whole, *communicator, options);
-}
-} // namespace
+  std::string type = "Wedge";
+  int most_vertices = 500000;
+  int num_refinements = 0;
+  std::optional<std::vector<std::string>> flat_cells; // names of boundaries or faults
+  double flat_height = 0.3;
+};
 
-RCP<const ParameterList> meshParameters()
+struct FileOfMesh
 {
+  std::string name;
+};
+
+Entries<FileOfMesh> fileEntries()
+{
+  return Entries<FileOfMesh>().fileName(
+    "File Name", &FileOfMesh::name, required,
+    "The mesh is read from this HDF5 file, as asperity-mesh writes it, in two or three dimensions. "
+    "A file that asperity-mesh has partitioned must have as many parts as there are ranks. A "
+    "relative name is looked for beside the deck, and then from where the program was started.");
+}
+
+Entries<MeshSettings> meshEntries()
+{
+  using S = MeshSettings;
   auto types = generatedMeshParameters();
-  types.emplace_back(
-    "File", Declare()
-              .fileName("File Name", required,
-                        "The mesh is read from this HDF5 file, as asperity-mesh writes it, in "
-                        "two or three dimensions. A file that asperity-mesh has partitioned "
-                        "must have as many parts as there are ranks. A relative name is looked "
-                        "for beside the deck, and then from where the program was started.")
-              .list());
-  return Declare()
+  types.emplace_back("File", fileEntries().list());
+  Entries<S> entries;
+  entries
     .choiceOfLists(
-      "Type", "Wedge", types,
+      "Type", &S::type, types,
       "Selects the shape of the body. In two dimensions it is the analogue wedge (thesis A.1) or a "
       "rectangle; in three dimensions the wedge with a depth along z or a box; in both a mesh from "
       "a file.")
-    .integer("Most Vertices", 500000, Range::atLeast(3),
+    .integer("Most Vertices", &S::most_vertices, Range::atLeast(3),
              "A mesh that is made here, and not read from a file, has at most this number of "
              "vertices, before 'Refinements'; a larger one is refused before it is made. This "
              "finds a forgotten extent or cell size.")
-    .integer("Refinements", 0, Range::atLeast(0),
+    .integer("Refinements", &S::num_refinements, Range::atLeast(0),
              "Every cell is divided this number of times, triangles into 4 and tetrahedra into 8, "
              "on all ranks at once, with its region, boundaries and faults. The body keeps the "
              "shape of the coarse mesh, for which the conditions in 'Regions', 'Boundaries' and "
              "'Faults' are evaluated.")
-    .textArray(flat_cells, optional,
+    .textArray(flat_cells, &S::flat_cells, optional,
                "Cells beside these boundaries or faults become flat: their vertices move towards "
                "them, and no cell is added; other faults that they reach move along. Linear cells "
                "make a fault stiffer than rock, the less "
                "the flatter they are ('asperity-bench stiffness'). The conditions in 'Regions', "
                "'Boundaries' and 'Faults' see the positions before. In a Box or a Rectangle "
                "'Flat Cells at' does the same for whole planes.")
-    .real("Flat Cell Height", 0.3, "-", Range::openClosed(0, 1),
+    .real("Flat Cell Height", &S::flat_height, "-", Range::openClosed(0, 1),
           "With 'Flat Cells Beside', the first layer of cells is this times as high as without it, "
           "the next layers 1.5 times as much each, until they reach their own height.")
+    .others()
     .openSublist(
       "Regions",
       Declare()
@@ -167,15 +142,71 @@ RCP<const ParameterList> meshParameters()
         .withoutDatasets()
         .list(),
       "Each entry defines a fault inside the body by a condition, as abs(y) < 1e-6. The edges of "
-      "the cells must lie along it: the mesh is split there, and is not moved.")
-    .list();
+      "the cells must lie along it: the mesh is split there, and is not moved.");
+  return entries;
 }
+
+MeshSettings settingsOf(ParameterList const& list) { return meshEntries().read(list, mesh_path); }
+
+std::string fileNameOf(ParameterList const& list)
+{
+  return fileEntries().read(list.sublist("File"), joinPath(mesh_path, "File")).name;
+}
+
+// This rank's part of the mesh before it is refined.
+template <int Dim>
+Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
+                     RCP<const Communicator> const& communicator)
+{
+  auto const settings = settingsOf(list);
+  auto const regions = conditionsIn<Dim>(list, "Regions");
+  auto const boundaries = conditionsIn<Dim>(list, "Boundaries");
+  auto const where_regions = joinPath(mesh_path, "Regions");
+  auto const where_boundaries = joinPath(mesh_path, "Boundaries");
+  auto const faults = conditionsIn<Dim>(list, "Faults");
+  auto const where_faults = joinPath(mesh_path, "Faults");
+  const bool is_file = settings.type == "File";
+  auto const file_name = is_file ? fileNameOf(list) : std::string();
+  if (is_file && ofMeshFile([&] { return mesh::isPartitioned(file_name, *communicator); })) {
+    ASPERITY_REQUIRE(!settings.flat_cells,
+                     joinPath(mesh_path, flat_cells)
+                       << " needs a whole mesh, but mesh file '" << file_name
+                       << "' is partitioned. Run on the whole mesh, or leave this entry out.");
+    ASPERITY_REQUIRE(faults.empty(),
+                     where_faults << " / " << faults.front().name << ": mesh file '" << file_name
+                                  << "' is partitioned, and was split along its faults before. "
+                                  << "Put the fault into the mesh and then partition it.");
+    auto part = ofMeshFile([&] { return mesh::readPart<Dim>(file_name, communicator); });
+    mesh::overrideRegions(part, regions, *communicator, where_regions);
+    mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
+    return part;
+  }
+  auto whole = is_file ? ofMeshFile([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
+                       : generateMesh<Dim>(list);
+  mesh::overrideRegions(whole, regions, where_regions);
+  mesh::overrideBoundaries(whole, boundaries, where_boundaries);
+  mesh::addFaults(whole, faults, where_faults);
+  if (settings.flat_cells) {
+    mesh::flattenBeside(whole, *settings.flat_cells, settings.flat_height,
+                        joinPath(mesh_path, flat_cells));
+  }
+  if (is_file || !faults.empty()) { // generators make none
+    mesh::splitFaults(whole, mesh_path);
+  }
+  mesh::PartitionOptions options;
+  options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
+  options.by_cells = settings.num_refinements > 0;
+  return mesh::distribute(whole, *communicator, options);
+}
+} // namespace
+
+RCP<const ParameterList> meshParameters() { return meshEntries().list(); }
 
 int meshDimension(ParameterList const& list, Communicator const& communicator)
 {
-  auto const type = list.get<std::string>("Type");
+  auto const type = settingsOf(list).type;
   if (type == "File") {
-    auto const name = list.sublist(type).get<std::string>("File Name");
+    auto const name = fileNameOf(list);
     return ofMeshFile([&] { return mesh::fileDimension(name, communicator); });
   }
   return type == "Box" || type == "Deep Wedge" ? 3 : 2;
@@ -187,7 +218,7 @@ Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
 {
   ASPERITY_TIME_WORK("mesh");
   return refinement::refineUniformly(coarsePart<Dim>(list, fault, communicator),
-                                     list.get<int>("Refinements"), *communicator,
+                                     settingsOf(list).num_refinements, *communicator,
                                      joinPath(mesh_path, "Refinements"));
 }
 
