@@ -36,3 +36,13 @@ if(ASPERITY_ENABLE_MESH_TOOL)
       "On Debian: apt-get install libgmsh-dev")
   endif()
 endif()
+
+# What asperity-mesh reads surfaces with; it also works without them.
+if(TARGET Asperity::Gmsh)
+  find_package(ZLIB QUIET)
+  find_package(PROJ CONFIG QUIET)
+  if(NOT TARGET PROJ::proj)
+    message(STATUS "PROJ was not found; asperity-mesh has no projections. "
+      "On Debian: apt-get install libproj-dev")
+  endif()
+endif()

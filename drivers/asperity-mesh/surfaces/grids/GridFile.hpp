@@ -1,0 +1,25 @@
+#pragma once
+
+#include "surfaces/grids/Grid.hpp"
+
+#include <string>
+
+namespace asperity::geometry
+{
+// A grid of a file in the file's units, and what the file says of them.
+struct GridData
+{
+  Grid grid;
+  std::string horizontal_unit; // "m", "km", "degrees"; "" if the file does not say it
+  double vertical_unit = 0;    // [m]; 0 if the file does not say it
+  bool is_depth = false;       // z is positive downward, by the file
+};
+
+// Reads a grid by the extension of the file: netCDF (.nc, .grd, .cdf), ESRI ascii (.asc), lines
+// "x y z" in any order (.xyz), SRTM (.hgt, whose name gives its corner: N34W119.hgt).
+// variable: of a netCDF file, "" if it has one of two dimensions. InputError with file, place and
+// what is expected for what is damaged or no grid.
+GridData readGrid(std::string const& file_name, std::string const& variable = "");
+
+bool isGridFile(std::string const& file_name);
+} // namespace asperity::geometry

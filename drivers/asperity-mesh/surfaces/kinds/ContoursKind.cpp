@@ -1,0 +1,53 @@
+#include "surfaces/Contours.hpp"
+#include "surfaces/kinds/SurfaceKind.hpp"
+#include "surfaces/kinds/Units.hpp"
+
+#include <algorithm>
+
+namespace asperity::geometry
+{
+namespace
+{
+constexpr char const* contours_file = "Contours File";
+constexpr char const* lower_depth = "Lower Depth";
+
+Teuchos::RCP<const ParameterList> contoursEntries()
+{
+  Declare declare;
+  declare
+    .fileName(contours_file, required,
+              "The contours are in this file, in any order and direction: lines 'x y depth', or 'x "
+              "y' below a line with the depth.")
+    .real(lower_depth, optional, "m", Range::any(),
+          "The surface ends at z = -Lower Depth; without this entry at the deepest contour.")
+    .real("Spacing", 0., "m", Range::atLeast(0),
+          "Points along strike have about this distance; 0 makes it that of the contours.");
+  declareExtendUp(declare, true);
+  return Units::declare(declare).list();
+}
+
+TriangleSurface makeContours(ParameterList const& list, std::string const& path,
+                             SurfaceContext const& context)
+{
+  const auto units = Units::read(list, path, context);
+  const auto file = fileOf(list, contours_file, context);
+  auto contours = readContours(file);
+  double lowest = 0;
+  for (auto& contour : contours) {
+    units.toModel(contour);
+    lowest = std::min(lowest, contour.front()[2]);
+  }
+  ContourOptions options;
+  options.spacing = list.get<double>("Spacing");
+  if (isGiven(list, lower_depth)) {
+    options.lower_z = lowest = -list.get<double>(lower_depth);
+  }
+  if (list.get<bool>("Extend Up")) {
+    options.upper_z = aboveGround(lowest, context);
+  }
+  return contourSurface(std::move(contours), options, "Contours file '" + file + "'", context.tell);
+}
+} // namespace
+
+SurfaceKind contoursKind() { return {"Contours", {contours_file}, contoursEntries, makeContours}; }
+} // namespace asperity::geometry

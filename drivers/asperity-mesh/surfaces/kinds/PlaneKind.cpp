@@ -1,0 +1,61 @@
+#include "surfaces/DippingSurface.hpp"
+#include "surfaces/kinds/SurfaceKind.hpp"
+#include "surfaces/kinds/Units.hpp"
+
+#include "parameters/Entries.hpp"
+
+#include <cmath>
+
+namespace asperity::geometry
+{
+namespace
+{
+constexpr char const* top_centre = "Top Centre";
+
+Entries<PlaneShape> planeEntries()
+{
+  Entries<PlaneShape> entries;
+  entries.others().realArray(top_centre, required, "m, km or deg", Range::any(),
+                             "The middle of the upper edge lies at these x and y, and at the z "
+                             "that follows, in m with Units = degrees; without it at 0.");
+  entries
+    .real("Strike", &PlaneShape::strike, required, "deg", Range::closed(-360, 360),
+          "The plane strikes along this azimuth, clockwise from y, and dips to the right of it.")
+    .real("Dip", &PlaneShape::dip, required, "deg", Range::closed(0, 90),
+          "The plane has this angle to the horizontal.")
+    .real("Length", &PlaneShape::length, required, "m", Range::positive(),
+          "The plane has this length along strike.")
+    .real("Width", &PlaneShape::width, required, "m", Range::positive(),
+          "The plane has this width down dip.");
+  entries.others().choice("Units", "m", {"m", "km", "degrees"},
+                          "Says in which unit 'Top Centre' is given; degrees are longitude and "
+                          "latitude, which the projection takes to metres.");
+  declareExtendUp(entries.others(), false);
+  return entries;
+}
+
+Teuchos::RCP<const ParameterList> planeParameters() { return planeEntries().list(); }
+
+TriangleSurface makePlane(ParameterList const& list, std::string const& path,
+                          SurfaceContext const& context)
+{
+  auto shape = planeEntries().read(list, path);
+  auto const& numbers = list.get<Teuchos::Array<double>>(top_centre);
+  ASPERITY_REQUIRE(numbers.size() == 2 || numbers.size() == 3,
+                   joinPath(path, top_centre)
+                     << " has " << numbers.size() << " numbers; it needs x, y and perhaps z.");
+  auto const& unit = list.get<std::string>("Units");
+  Polyline centre = {{numbers[0], numbers[1], numbers.size() == 3 ? numbers[2] : 0}};
+  Units(unit, lengthUnit(unit), path, context).toModel(centre);
+  shape.top_centre = centre.front();
+  if (list.get<bool>("Extend Up")) {
+    constexpr double radians = 0.017453292519943295;
+    const double lower_z = shape.top_centre[2] - shape.width * std::sin(shape.dip * radians);
+    shape = extendedUp(shape, aboveGround(lower_z, context), path);
+  }
+  return planeSurface(shape);
+}
+} // namespace
+
+SurfaceKind planeKind() { return {"Plane", {top_centre}, planeParameters, makePlane}; }
+} // namespace asperity::geometry

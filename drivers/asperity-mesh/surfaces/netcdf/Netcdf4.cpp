@@ -1,0 +1,128 @@
+#include "surfaces/netcdf/NetcdfFile.hpp"
+
+#include "base/Errors.hpp"
+#include "hdf5/File.hpp"
+
+#include <algorithm>
+
+// netCDF-4 is HDF5: variables are datasets of the root group, and the coordinates of dimensions are
+// datasets that call themselves dimension scales.
+namespace asperity::geometry
+{
+namespace
+{
+// Attributes of CF and of netCDF itself that readers of grids look at.
+constexpr char const* attributes_read[] = {"units",         "standard_name", "axis",
+                                           "positive",      "long_name",     "_FillValue",
+                                           "missing_value", "scale_factor",  "add_offset",
+                                           "CLASS",         "_Netcdf4Dimid", "_Netcdf4Coordinates"};
+
+NetcdfAttribute readAttribute(h5::Dataset const& dataset, std::string const& name)
+{
+  NetcdfAttribute attribute;
+  try {
+    attribute.text = dataset.textAttribute(name);
+  } catch (h5::Error const&) {
+    try {
+      attribute.numbers = dataset.numbersAttribute(name);
+    } catch (h5::Error const&) { // of another type, which no reader asks for
+    }
+  }
+  return attribute;
+}
+
+class Netcdf4 : public NetcdfFile
+{
+public:
+  Netcdf4(std::string const& file_name, std::string const& what)
+      : NetcdfFile(what + " '" + file_name + "'")
+      , file_(open(file_name))
+  {
+    for (auto const& name : file_.names()) {
+      try {
+        addVariable(name, file_.openDataset(name));
+      } catch (h5::Error const&) { // a type or a group
+      }
+    }
+    for (auto& each : variables_) {
+      nameDimensions(each);
+    }
+  }
+
+  std::vector<double> numbers(std::string const& name) const override
+  {
+    auto const& wanted = variable(name);
+    ASPERITY_REQUIRE(!wanted.is_text, where_ << ": variable '" << name << "' has no numbers.");
+    try {
+      return file_.openDataset(name).read<double>();
+    } catch (h5::Error const& error) {
+      throw InputError(where_ + ": variable '" + name + "' cannot be read. " + error.what());
+    }
+  }
+
+private:
+  h5::File open(std::string const& file_name) const
+  {
+    try {
+      return h5::File::open(file_name);
+    } catch (h5::Error const& error) {
+      throw InputError(where_ + " cannot be read: it is cut or damaged. " + error.what());
+    }
+  }
+
+  void addVariable(std::string const& name, h5::Dataset const& dataset)
+  {
+    NetcdfVariable added;
+    added.name = name;
+    for (const auto extent : dataset.shape()) {
+      added.shape.push_back(extent);
+    }
+    added.is_text = dataset.kind() != h5::Kind::real && dataset.kind() != h5::Kind::integer;
+    for (char const* attribute : attributes_read) {
+      if (dataset.hasAttribute(attribute)) {
+        added.attributes[attribute] = readAttribute(dataset, attribute);
+      }
+    }
+    variables_.push_back(std::move(added));
+  }
+
+  static bool isScale(NetcdfVariable const& each)
+  {
+    return each.shape.size() == 1 && each.text("CLASS") == "DIMENSION_SCALE";
+  }
+
+  // By the numbers that netCDF gives dimensions, if they are there, else by the only scale of that
+  // length. In a square grid without these numbers names are left out.
+  void nameDimensions(NetcdfVariable& each) const
+  {
+    each.dimensions.assign(each.shape.size(), "");
+    if (isScale(each)) {
+      each.dimensions = {each.name};
+      return;
+    }
+    const auto numbers = each.attributes.find("_Netcdf4Coordinates");
+    for (std::size_t d = 0; d < each.shape.size(); ++d) {
+      std::vector<std::string> fitting;
+      for (auto const& scale : variables_) {
+        const auto number = scale.attributes.find("_Netcdf4Dimid");
+        const bool is_numbered =
+          numbers != each.attributes.end() && d < numbers->second.numbers.size() &&
+          number != scale.attributes.end() && !number->second.numbers.empty();
+        if (isScale(scale) && scale.shape[0] == each.shape[d] &&
+            (!is_numbered || number->second.numbers[0] == numbers->second.numbers[d])) {
+          fitting.push_back(scale.name);
+        }
+      }
+      each.dimensions[d] = fitting.size() == 1 ? fitting.front() : "";
+    }
+  }
+
+  h5::File file_;
+};
+} // namespace
+
+std::unique_ptr<NetcdfFile> openNetcdf4(std::string const& file_name, std::string const& what)
+{
+  return std::make_unique<Netcdf4>(file_name, what);
+}
+} // namespace asperity::geometry
