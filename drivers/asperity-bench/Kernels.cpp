@@ -10,7 +10,7 @@
 #include "fem/BodyMatrices.hpp"
 #include "multigrid/Cycle.hpp"
 #include "multigrid/NodeKernels.hpp"
-#include "multigrid/Sweeps.hpp"
+#include "multigrid/Smoother.hpp"
 #include "portability/Renamed.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
@@ -186,13 +186,17 @@ void measureMultigrid(Meter& meter, dynamics::Body const& body, fem::Weights con
                 bytesOfBlocks(level.graph) + single * static_cast<double>(3 * b.extent(0)),
                 [&] { multigrid::multiplyAdd(level.graph, level.schedule, A, x, y); });
   // Zero, so that no sweep overflows.
-  const auto inverse = multigrid::makeNumbers(level.graph.rows() * level.graph.row_size);
-  const auto damping = multigrid::makeNumbers(level.hasJacobiPart() ? level.graph.rows() : 0);
-  multigrid::withBlockSizes(level.graph.row_size, level.graph.row_size, [&](auto rows, auto) {
-    const multigrid::Sweeps<decltype(rows)::value> sweeps(level, A, inverse, damping);
-    meter.measure("forward sweep and residual", bytesOfSweep(level),
-                  [&] { sweeps.forward(b, x, residual); });
-  });
+  const multigrid::LevelMatrix matrix = {
+    level,
+    A,
+    multigrid::makeNumbers(level.hasJacobiPart() ? level.graph.rows() : 0),
+    multigrid::makeNumbers(level.graph.rows() * level.graph.row_size),
+    {},
+    hierarchy.shared()->coarsest().sum};
+  const auto smoother =
+    multigrid::SmootherRegistry::instance().at(multigrid::Cycle::usual_smoother).make();
+  meter.measure("forward sweep and residual", bytesOfSweep(level),
+                [&] { smoother->presmooth(matrix, b, x, residual); });
   if (hierarchy.levels().size() > 1) {
     const auto coarse = ones(level.prolongation.columnsWithGhosts());
     std::vector<multigrid::NodeVector> parts;

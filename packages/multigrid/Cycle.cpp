@@ -2,9 +2,7 @@
 
 #include "multigrid/CoarsestSolver.hpp"
 #include "multigrid/CycleKernels.hpp"
-#include "multigrid/Damping.hpp"
 #include "multigrid/FlushDenormals.hpp"
-#include "multigrid/Sweeps.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -17,13 +15,6 @@ template <class Work>
 void withSize(int size, Work const& work)
 {
   withBlockSizes(size, size, [&](auto rows, auto) { work(rows); });
-}
-
-NodeVector copyOf(NodeVector const& from)
-{
-  const auto result = makeNumbers(from.extent(0));
-  Kokkos::deep_copy(result, from);
-  return result;
 }
 
 // The first numbers of `to` become those of `from`.
@@ -43,8 +34,9 @@ void forEachOf(IndexView const& rows, Row const& row)
 }
 } // namespace
 
-Cycle::LevelData::LevelData(Level const& level)
-    : inverse(makeNumbers(level.graph.rows() * level.graph.row_size))
+Cycle::LevelData::LevelData(Level const& level, SumOverRanks sum)
+    : matrix{level,         {}, {}, makeNumbers(level.graph.rows() * level.graph.row_size), {},
+             std::move(sum)}
     , x(makeNumbers(level.graph.columnsWithGhosts()))
     , residual(makeNumbers(level.graph.rows()))
     , coarse(makeNumbers(level.prolongation.columnsWithGhosts()))
@@ -52,15 +44,21 @@ Cycle::LevelData::LevelData(Level const& level)
 }
 
 Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> const& weights,
-             HostBlocks const& Z, std::vector<char> const& held, Dofs const& added)
+             HostBlocks const& Z, std::vector<char> const& held, Dofs const& added,
+             std::string const& smoother)
     : hierarchy_(std::move(hierarchy))
     , weights_(weights)
-    , held_("asperity::multigrid::held", held.size())
 {
   auto const& levels = hierarchy_->levels();
+  auto const& kind = SmootherRegistry::instance().at(smoother);
   for (auto const& level : levels) {
-    data_.emplace_back(level);
+    data_.emplace_back(level, hierarchy_->coarsest().sum);
+    if (data_.size() < levels.size()) {
+      data_.back().smoother = kind.make();
+    }
   }
+  auto& finest_matrix = data_[0].matrix;
+  finest_matrix.held = FlagView("asperity::multigrid::held", held.size());
   const int size = rowSize();
   const IndexView given = indices({held.begin(), held.end()});
   const Kokkos::View<int**, Kokkos::LayoutRight, MemorySpace> rows(
@@ -68,27 +66,36 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> con
   withNumbers(hierarchy_->rowOfNode(), size, [&](auto numbers) {
     using Numbers = decltype(numbers);
     Kokkos::parallel_for("asperity::multigrid::held", RangePolicy(0, given.extent_int(0)),
-                         CopyFlags<Numbers>{numbers, given, held_});
+                         CopyFlags<Numbers>{numbers, given, finest_matrix.held});
     Kokkos::parallel_for("asperity::multigrid::added", RangePolicy(0, rows.extent_int(0)),
                          CopyDofs<Numbers>{numbers, added, rows});
   });
   added_ = rows;
-  data_[0].A = hierarchy_->inOrder(Z);
+  finest_matrix.A = hierarchy_->inOrder(Z);
+  own_ = makeNumbers(added.extent(0) * size * size);
+  damp(0);
   withSize(size, [&](auto rows_of_block) {
     constexpr int N = decltype(rows_of_block)::value;
-    damp<N>(0);
+    Kokkos::parallel_for(
+      "asperity::multigrid::keep", RangePolicy(0, added_.extent_int(0)),
+      KeepBlock<N>{finest().graph.diagonal.data(), added_, finest_matrix.A.data(), own_.data()});
     finest().schedule.forEach(finestInversion<N>());
   });
   for (std::size_t l = 1; l < levels.size(); ++l) {
     auto const& graph = levels[l].graph;
-    data_[l].A = makeNumbers(static_cast<std::size_t>(graph.numCouplings()) * graph.blockSize());
+    data_[l].matrix.A =
+      makeNumbers(static_cast<std::size_t>(graph.numCouplings()) * graph.blockSize());
     data_[l].b = makeNumbers(graph.rows());
     levels[l].schedule.forEach(sumOfTerms(l));
+    damp(l);
     withSize(graph.row_size, [&](auto rows_of_block) {
-      constexpr int N = decltype(rows_of_block)::value;
-      damp<N>(l);
-      levels[l].schedule.forEach(inversion<N>(l));
+      levels[l].schedule.forEach(inversion<decltype(rows_of_block)::value>(l));
     });
+  }
+  for (auto const& data : data_) {
+    if (data.smoother) {
+      data.smoother->matrixChanged(data.matrix);
+    }
   }
 }
 
@@ -103,7 +110,7 @@ SumTermsRow Cycle::sumOfTerms(std::size_t l) const
                         graph.diagonal.data(),
                         graph.upper.data(),
                         graph.blockSize(),
-                        data_[l].A.data()};
+                        data_[l].matrix.A.data()};
   result.of.count = static_cast<int>(weights_.size());
   for (std::size_t k = 0; k < weights_.size(); ++k) {
     result.of.terms[k] = level.terms[k].data();
@@ -116,62 +123,58 @@ template <int N>
 InvertRow<N> Cycle::inversion(std::size_t l) const
 {
   auto const& level = hierarchy_->levels()[l];
-  auto const& data = data_[l];
-  return {level.graph.diagonal.data(), data.A.data(), pointerTo(data.damping), data.inverse.data()};
+  auto const& matrix = data_[l].matrix;
+  return {level.graph.diagonal.data(), matrix.A.data(), pointerTo(matrix.damping),
+          matrix.inverse.data()};
 }
 
 // Brings the damping of a level up to date with its matrix. Collective.
-template <int N>
 void Cycle::damp(std::size_t l)
 {
-  auto const& level = hierarchy_->levels()[l];
   auto& data = data_[l];
-  if (isCoarsest(l) || !level.hasJacobiPart()) {
-    return;
+  if (data.smoother) {
+    data.smoother->damp(data.matrix);
   }
-  if (data.damping.extent(0) == 0) {
-    data.damping = makeNumbers(level.graph.rows());
-  }
-  int const* held = l == 0 ? held_.data() : nullptr;
-  int const* diagonal = level.graph.diagonal.data();
-  auto const& scale = data.x; // which a cycle overwrites
-  level.schedule.forEach(ScaleRow<N>{diagonal, data.A.data(), held, scale.data()});
-  level.graph.share(scale);
-  level.schedule.forEach(DampRow<N>{BlockRows<N>(level, data.A, data.inverse, data.damping),
-                                    diagonal, scale.data(), data.damping.data()});
+}
+
+void Cycle::clearHeld(std::size_t l, NodeVector const& x) const
+{
+  auto const& matrix = data_[l].matrix;
+  withSize(matrix.blockSize(), [&](auto rows) {
+    matrix.level.schedule.forEach(
+      ClearHeldRow<decltype(rows)::value>{matrix.inverse.data(), x.data()});
+  });
 }
 
 bool Cycle::setup(HessianView const& H, ConstFlagView const& removed)
 {
-  NodeBlocks with_added;
-  if (isCoarsest(0)) {
-    with_added = copyOf(data_[0].A);
-  }
+  auto const& data = data_[0];
   withSize(rowSize(), [&](auto rows) {
     constexpr int N = decltype(rows)::value;
-    Kokkos::parallel_for("asperity::multigrid::invertAdded", RangePolicy(0, added_.extent_int(0)),
-                         InvertAdded<N>{finestInversion<N>(), added_, H, removed,
-                                        isCoarsest(0) ? with_added.data() : nullptr});
+    Kokkos::parallel_for(
+      "asperity::multigrid::invertAdded", RangePolicy(0, added_.extent_int(0)),
+      InvertAdded<N>{finestInversion<N>(), added_, H, removed, own_.data(), data.matrix.A.data()});
   });
   if (isCoarsest(0)) {
-    return factorise(with_added);
+    return factorise(data.matrix.A);
   }
-  return coarsest_ || factorise(data_.back().A);
+  data.smoother->addedBlocksChanged(data.matrix);
+  return coarsest_ || factorise(data_.back().matrix.A);
 }
 
 template <int N>
 InvertFinest<N> Cycle::finestInversion() const
 {
-  auto const& data = data_[0];
-  return {finest().graph.diagonal.data(), data.A.data(), pointerTo(data.damping), held_.data(),
-          data.inverse.data()};
+  auto const& matrix = data_[0].matrix;
+  return {finest().graph.diagonal.data(), matrix.A.data(), pointerTo(matrix.damping),
+          matrix.held.data(), matrix.inverse.data()};
 }
 
 // A: the matrix of the coarsest level.
 bool Cycle::factorise(NodeBlocks const& A)
 {
   auto const& graph = hierarchy_->levels().back().graph;
-  const auto inverse = toHost(data_.back().inverse);
+  const auto inverse = toHost(data_.back().matrix.inverse);
   std::vector<char> free;
   for (std::size_t i = 0; i < graph.rows(); ++i) {
     const std::size_t row = i / graph.row_size, c = i % graph.row_size;
@@ -186,16 +189,20 @@ void Cycle::setCoarseBlocks(HessianView const& H)
   for (std::size_t l = 1; l < data_.size(); ++l) {
     auto const& level = hierarchy_->levels()[l];
     forEachOf(level.added.rows(), sumOfTerms(l));
-    level.added.addTo(data_[l].A, H);
+    auto const& data = data_[l];
+    level.added.addTo(data.matrix.A, H);
+    damp(l);
     withSize(level.graph.row_size, [&](auto rows) {
       constexpr int N = decltype(rows)::value;
-      damp<N>(l);
-      if (data_[l].damping.extent(0) > 0) {
+      if (data.matrix.damping.extent(0) > 0) {
         level.schedule.forEach(inversion<N>(l));
       } else {
         forEachOf(level.added.rows(), inversion<N>(l));
       }
     });
+    if (data.smoother) {
+      data.smoother->matrixChanged(data.matrix);
+    }
   }
   coarsest_.reset();
 }
@@ -208,22 +215,19 @@ void Cycle::descend(std::size_t l, NodeVector const& b)
     coarsest_->solve(b, data.x);
     return;
   }
-  withSize(level.graph.row_size, [&](auto rows) {
-    const Sweeps<decltype(rows)::value> sweeps(level, data.A, data.inverse, data.damping);
-    sweeps.forward(b, data.x, data.residual);
-    sweeps.clearHeld(data.residual);
-    level.restriction.multiply(level.prolongation, level.schedule, level.P, data.residual,
-                               data.coarse, data.parts);
-    level.prolongation.gather(data.coarse);
-    auto const& next = data_[l + 1];
-    copyFirst(data.coarse, next.b, next.b.extent(0));
-    descend(l + 1, next.b);
-    copyFirst(next.x, data.coarse, next.b.extent(0));
-    level.prolongation.share(data.coarse);
-    multiplyAdd(level.prolongation, level.schedule, level.P, data.coarse, data.x);
-    sweeps.clearHeld(data.x);
-    sweeps.backward(b, data.x, data.residual, data.before);
-  });
+  data.smoother->presmooth(data.matrix, b, data.x, data.residual);
+  clearHeld(l, data.residual);
+  level.restriction.multiply(level.prolongation, level.schedule, level.P, data.residual,
+                             data.coarse, data.parts);
+  level.prolongation.gather(data.coarse);
+  auto const& next = data_[l + 1];
+  copyFirst(data.coarse, next.b, next.b.extent(0));
+  descend(l + 1, next.b);
+  copyFirst(next.x, data.coarse, next.b.extent(0));
+  level.prolongation.share(data.coarse);
+  multiplyAdd(level.prolongation, level.schedule, level.P, data.coarse, data.x);
+  clearHeld(l, data.x);
+  data.smoother->postsmooth(data.matrix, b, data.x, data.residual);
 }
 
 Cycle::Result Cycle::run(NodeVector const& r, bool with_image)
@@ -232,15 +236,12 @@ Cycle::Result Cycle::run(NodeVector const& r, bool with_image)
   auto const& data = data_[0];
   descend(0, r);
   if (with_image) {
-    withSize(rowSize(), [&](auto rows) {
-      const Sweeps<decltype(rows)::value> sweeps(finest(), data.A, data.inverse, data.damping);
-      if (isCoarsest(0)) { // solved exactly
-        Kokkos::deep_copy(data.residual, r);
-        sweeps.clearHeld(data.residual);
-      } else {
-        sweeps.image(data.x, data.residual);
-      }
-    });
+    if (isCoarsest(0)) { // solved exactly
+      Kokkos::deep_copy(data.residual, r);
+    } else {
+      data.smoother->image(data.matrix, data.x, data.residual);
+    }
+    clearHeld(0, data.residual);
   }
   return {data.x, data.residual};
 }
@@ -262,11 +263,13 @@ void Cycle::fromRows(NodeVector const& x, double times, NodeView const& result) 
 
 std::size_t Cycle::bytes() const
 {
-  std::size_t sum = 0;
+  std::size_t sum = sizeof(float) * own_.extent(0);
   for (auto const& data : data_) {
-    sum += sizeof(float) * (data.A.extent(0) + data.inverse.extent(0) + data.damping.extent(0) +
-                            data.b.extent(0) + data.x.extent(0) + data.residual.extent(0) +
-                            data.coarse.extent(0) + data.before.extent(0));
+    auto const& matrix = data.matrix;
+    sum += sizeof(float) *
+           (matrix.A.extent(0) + matrix.inverse.extent(0) + matrix.damping.extent(0) +
+            data.b.extent(0) + data.x.extent(0) + data.residual.extent(0) + data.coarse.extent(0));
+    sum += data.smoother ? data.smoother->bytes() : 0;
   }
   return sum;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "multigrid/Hierarchy.hpp"
+#include "multigrid/Smoother.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity::multigrid
@@ -14,22 +16,21 @@ struct InvertRow;
 template <int N>
 struct InvertFinest;
 
-// A V-cycle for Z + H on the dofs that are neither removed nor held: block Gauss-Seidel, forward
-// before and backward after the coarse correction, so that the cycle is symmetric. A node's block
-// is its block of Z + H, where H has blocks at some nodes, the added nodes. It runs where all
-// kernels do; the coarsest level is solved on the host. Between chunks of rows and between ranks
-// Gauss-Seidel is Jacobi (Schedule), damped as far as the cycle needs it to be positive
-// (Damping.hpp). From zero a forward sweep leaves the residual of the couplings that it has not
-// used, so that sweep and residual together read the matrix once.
+// A V-cycle for Z + H on the dofs that are neither removed nor held, with a Smoother before and
+// after the coarse correction, so that the cycle is symmetric. H has blocks at some nodes, the added
+// nodes. It runs where all kernels do; the coarsest level is solved on the host.
 class Cycle
 {
 public:
   // Z: the sum of the hierarchy's terms times weights on the finest level, at most most_terms.
-  // held(rows): 1 or 0. added(num_nodes, T): local rows of the added nodes, T <= 3.
+  // held(rows): 1 or 0. added(num_nodes, T): local rows of the added nodes, T <= 3. smoother: a
+  // name of SmootherRegistry. Collective.
+  static constexpr char const* usual_smoother = "Gauss-Seidel";
   static constexpr int most_terms = 16;
   using Dofs = Kokkos::View<const int**, Kokkos::LayoutRight, MemorySpace>;
   Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> const& weights,
-        HostBlocks const& Z, std::vector<char> const& held, Dofs const& added);
+        HostBlocks const& Z, std::vector<char> const& held, Dofs const& added,
+        std::string const& smoother = usual_smoother);
   ~Cycle();
 
   // Takes H(num_nodes, T, T) and the removed(num_nodes) nodes among the added ones, 1 or 0; to be
@@ -43,11 +44,11 @@ public:
   struct Result
   {
     NodeVector z;     // ghosts follow
-    NodeVector image; // (Z + H) z, if it is wanted
+    NodeVector image; // (Z + H) z at free dofs, zero at others, if it is wanted
   };
   // One cycle for (Z + H) z = r that starts from zero, in single precision: r should be of the
-  // order of one. z is zero at removed and held dofs, where r is not read. The image costs much
-  // less than a product, since the backward sweep has most of it. All vectors are in the order of
+  // order of one. z is zero at removed and held dofs, where r is not read. With Gauss-Seidel the
+  // image costs much less than a product, since the backward sweep has most of it. All vectors are in the order of
   // the finest level's rows. Collective.
   Result run(NodeVector const& r, bool with_image);
 
@@ -63,14 +64,13 @@ public:
 private:
   struct LevelData
   {
-    explicit LevelData(Level const& level);
+    LevelData(Level const& level, SumOverRanks sum);
 
-    NodeBlocks A, inverse; // inverse of the damped diagonal blocks, zero where not free
-    NodeVector damping;    // E; empty where no sweep is one of Jacobi
-    NodeVector b, x;       // x with ghosts; no b on the finest level
+    LevelMatrix matrix;                 // of Z + H
+    std::unique_ptr<Smoother> smoother; // null on the coarsest level
+    NodeVector b, x;                    // x with ghosts; no b on the finest level
     NodeVector residual;
     NodeVector coarse;             // on the columns of the prolongation
-    NodeVector before;             // x before a sweep of several chunks
     std::vector<NodeVector> parts; // of what chunks restrict to the next level
   };
 
@@ -79,8 +79,8 @@ private:
   SumTermsRow sumOfTerms(std::size_t l) const;
   template <int N>
   InvertRow<N> inversion(std::size_t l) const;
-  template <int N>
   void damp(std::size_t l);
+  void clearHeld(std::size_t l, NodeVector const& x) const;
   template <int N>
   InvertFinest<N> finestInversion() const;
   void descend(std::size_t l, NodeVector const& b);
@@ -90,7 +90,7 @@ private:
   std::vector<double> weights_;
   std::vector<LevelData> data_;
   Dofs added_;                               // rows of the finest level
-  FlagView held_;                            // (rows)
+  NodeBlocks own_;                           // (added nodes, N, N) their blocks of Z alone
   std::unique_ptr<CoarsestSolver> coarsest_; // null until setup()
 };
 } // namespace asperity::multigrid

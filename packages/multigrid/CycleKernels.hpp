@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-// The kernels of Cycle but its sweeps. Those of a row take the range of its sweep, which they do
+// The kernels of Cycle. Those of a row take the range of a sweep, which they do
 // not need.
 namespace asperity::multigrid
 {
@@ -159,6 +159,23 @@ struct FreeComponents
   KOKKOS_FUNCTION bool operator()(int c) const { return !held[c] && !removed[c]; }
 };
 
+// Sets the components of a row that are not free to zero.
+template <int N>
+struct ClearHeldRow
+{
+  float const* inverse;
+  float* x;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    float const* diagonal = inverse + static_cast<std::size_t>(row) * N * N;
+    for (int c = 0; c < N; ++c) {
+      if (diagonal[c * N + c] == 0) {
+        x[row * N + c] = 0;
+      }
+    }
+  }
+};
+
 // The inverse of the diagonal block of a fine row, of Z alone, damped.
 template <int N>
 struct InvertFinest
@@ -170,21 +187,39 @@ struct InvertFinest
   KOKKOS_FUNCTION void operator()(int row, int, int) const
   {
     double block[N][N] = {};
-    invert(row, block, {held + row * N, {}});
+    invert(row, A + static_cast<std::size_t>(diagonal[row]) * N * N, block, {held + row * N, {}});
   }
-  // added + Z
-  KOKKOS_FUNCTION void invert(int row, double (&block)[N][N], FreeComponents<N> const& free) const
+  // added + Z, the block of Z
+  KOKKOS_FUNCTION void invert(int row, float const* Z, double (&block)[N][N],
+                              FreeComponents<N> const& free) const
   {
     for (int i = 0; i < N * N; ++i) {
-      block[i / N][i % N] =
-        A[static_cast<std::size_t>(diagonal[row]) * N * N + i] + block[i / N][i % N];
+      block[i / N][i % N] = Z[i] + block[i / N][i % N];
     }
     addDamping(E, row, block);
     invertFree(block, free, inverse + static_cast<std::size_t>(row) * N * N);
   }
 };
 
-// The same at an added node, whose block of H counts.
+// Copies the blocks of Z at the added nodes.
+template <int N>
+struct KeepBlock
+{
+  int const* diagonal; // of MatrixGraph
+  Cycle::Dofs added;
+  float const* A;
+  float* kept; // (nodes, N, N)
+  KOKKOS_FUNCTION void operator()(int node) const
+  {
+    const int row = added(node, 0) / N;
+    for (int i = 0; i < N * N; ++i) {
+      kept[static_cast<std::size_t>(node) * N * N + i] =
+        A[static_cast<std::size_t>(diagonal[row]) * N * N + i];
+    }
+  }
+};
+
+// The same at an added node, whose block of H counts, and is added to Z in the matrix.
 template <int N>
 struct InvertAdded
 {
@@ -192,7 +227,8 @@ struct InvertAdded
   Cycle::Dofs added;
   HessianView H;
   ConstFlagView removed;
-  float* with_added; // the matrix, to which H is added; may be null
+  float const* Z; // (nodes, N, N) the blocks of Z at these nodes
+  float* A;
   KOKKOS_FUNCTION void operator()(int node) const
   {
     const int row = added(node, 0) / N;
@@ -205,11 +241,12 @@ struct InvertAdded
         block[component][added(node, t) % N] = H(node, s, t);
       }
     }
-    for (int i = 0; with_added != nullptr && i < N * N; ++i) {
-      with_added[static_cast<std::size_t>(finest.diagonal[row]) * N * N + i] +=
-        static_cast<float>(block[i / N][i % N]);
+    float const* own = Z + static_cast<std::size_t>(node) * N * N;
+    for (int i = 0; i < N * N; ++i) {
+      A[static_cast<std::size_t>(finest.diagonal[row]) * N * N + i] =
+        own[i] + static_cast<float>(block[i / N][i % N]);
     }
-    finest.invert(row, block, free);
+    finest.invert(row, own, block, free);
   }
 };
 } // namespace asperity::multigrid

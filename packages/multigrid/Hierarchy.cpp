@@ -2,6 +2,7 @@
 
 #include "multigrid/Renumbering.hpp"
 
+#include <numeric>
 #include <utility>
 
 namespace asperity::multigrid
@@ -21,6 +22,10 @@ std::vector<int> renumberRows(HostLevel& level, std::vector<int> const& row_of_n
   }
   for (int& row : level.added.rows) {
     row = row_of_node[row];
+  }
+  const auto ids = level.ids;
+  for (std::size_t node = 0; node < ids.size(); ++node) {
+    level.ids[row_of_node[node]] = ids[node];
   }
   level.graph = std::move(matrix.graph);
   return std::move(matrix.coupling_of_given);
@@ -44,6 +49,7 @@ Level deviceLevel(HostLevel host, std::vector<int> const& order, Schedule schedu
     level.added = AddedBlocks(host.added, host.graph, order);
   }
   level.schedule = std::move(schedule);
+  level.ids = indices(host.ids);
   return level;
 }
 } // namespace
@@ -57,6 +63,10 @@ Hierarchy::Hierarchy(std::vector<HostLevel> levels, CoarsestRows coarsest, RowOr
   for (std::size_t l = 0; l < levels.size(); ++l) {
     auto& graph = levels[l].graph;
     const bool has_sweeps = l + 1 < levels.size();
+    if (levels[l].ids.empty()) {
+      levels[l].ids.resize(graph.num_rows);
+      std::iota(levels[l].ids.begin(), levels[l].ids.end(), 0);
+    }
     auto parts = !has_sweeps                 ? RowParts{{}, {0, graph.num_rows}}
                  : order == RowOrder::chunks ? regions(graph, num_threads)
                                              : colours(graph);

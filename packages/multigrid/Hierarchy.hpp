@@ -20,6 +20,8 @@ struct HostLevel
   HostGraph prolongation;        // from the next level; without rows on the coarsest one
   HostBlocks P;
   HostAddedBlocks added; // empty on the finest level
+  // (num_rows) numbers of the nodes among those of all ranks; empty: those of the graph.
+  std::vector<int> ids;
 };
 
 struct Level
@@ -31,6 +33,7 @@ struct Level
   TransposedProduct restriction;
   AddedBlocks added;
   Schedule schedule; // of the rows of the matrix and of the prolongation
+  IndexView ids;     // (num_rows)
 
   // Whether a sweep takes values from before it, from other chunks or ranks.
   bool hasJacobiPart() const { return graph.ghosts || schedule.sharesSweeps(); }

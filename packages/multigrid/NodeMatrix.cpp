@@ -33,6 +33,7 @@ struct AddMatrixRow
   int const *lower, *diagonal, *upper, *columns;
   float const *A, *x;
   float* y;
+  float times;
   KOKKOS_FUNCTION void operator()(int row, int, int) const
   {
     RowSums<N, N> sum;
@@ -40,7 +41,7 @@ struct AddMatrixRow
     add(sum, diagonal[row], diagonal[row] < 0 ? -1 : diagonal[row] + 1);
     add(sum, upper[row], upper[row + 1]);
     for (int c = 0; c < N; ++c) {
-      y[row * N + c] += sum[c];
+      y[row * N + c] += times * sum[c];
     }
   }
   KOKKOS_FUNCTION void add(RowSums<N, N>& sum, int from, int to) const
@@ -72,12 +73,12 @@ struct GatherColumn
 } // namespace
 
 void multiplyAdd(MatrixGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
-                 NodeVector const& x, NodeVector const& y)
+                 NodeVector const& x, NodeVector const& y, float times)
 {
   withBlockSizes(graph.row_size, graph.column_size, [&](auto rows, auto) {
     constexpr int N = decltype(rows)::value;
     schedule.forEach(AddMatrixRow<N>{graph.lower.data(), graph.diagonal.data(), graph.upper.data(),
-                                     graph.columns.data(), A.data(), x.data(), y.data()});
+                                     graph.columns.data(), A.data(), x.data(), y.data(), times});
   });
 }
 

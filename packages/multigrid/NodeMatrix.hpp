@@ -8,9 +8,10 @@
 
 namespace asperity::multigrid
 {
-// y += A x
+// y += times A x
 void multiplyAdd(MatrixGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
-                 NodeVector const& x, NodeVector const& y);
+                 NodeVector const& x, NodeVector const& y, float times = 1);
+// y += A x
 void multiplyAdd(NodeGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
                  NodeVector const& x, NodeVector const& y);
 

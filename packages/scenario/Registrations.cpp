@@ -6,6 +6,7 @@
 #include "fem/bulk/BulkLaw.hpp"
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
+#include "multigrid/Smoother.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace asperity::scenario
@@ -18,6 +19,7 @@ std::vector<std::string> registrations()
         fem::bulkLaws().registrations(), dynamics::StepControlRegistry::instance().registrations(),
         dynamics::FaultProcessRegistry::instance().registrations(),
         dynamics::WatchRegistry::instance().registrations(),
+        multigrid::SmootherRegistry::instance().registrations(),
         io::OutputRegistry::instance().registrations(),
         FaultKindRegistry::instance().registrations()}) {
     all.insert(all.end(), some.begin(), some.end());

@@ -123,6 +123,7 @@ MultigridHierarchy::MultigridHierarchy(std::vector<MatrixSource> const& terms, i
       finest_graph_ = graph;
       finest_maps_ = maps;
     }
+    level.ids = idsOf(graph, maps);
     level.graph = std::move(graph);
     levels.push_back(std::move(level));
     finest = Teuchos::null;

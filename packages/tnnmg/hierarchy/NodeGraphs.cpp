@@ -121,6 +121,16 @@ MappedGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int
   return result;
 }
 
+std::vector<int> idsOf(HostGraph const& graph, NodeMaps const& maps)
+{
+  std::vector<int> ids(graph.num_rows);
+  for (int row = 0; row < graph.num_rows; ++row) {
+    const auto id = maps.rows->getGlobalElement(row * graph.row_size) / graph.row_size;
+    ids[row] = static_cast<int>(id & 0x7fffffff);
+  }
+  return ids;
+}
+
 HostBlocks blocksOf(HostGraph const& graph, NodeMaps const& maps, CrsMatrix const& matrix)
 {
   auto const places = placesOfColumns(maps, matrix);

@@ -29,6 +29,9 @@ MappedGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int
 multigrid::HostBlocks blocksOf(multigrid::HostGraph const& graph, NodeMaps const& maps,
                                CrsMatrix const& matrix);
 
+// (num_rows) the global ids of the nodes of the rows, modulo 2^31.
+std::vector<int> idsOf(multigrid::HostGraph const& graph, NodeMaps const& maps);
+
 // The rows of the coarsest level. SolveError on all ranks if there are too many. Collective.
 multigrid::CoarsestRows coarsestRows(NodeMaps const& maps);
 

@@ -70,7 +70,8 @@ struct MultigridCorrection::Implementation
       , residual(problem.Z->getRowMap())
   {
     if (parameters.cycle == Parameters::CycleKind::own) {
-      ours = rcp(new detail::OwnPreconditioner(hierarchy, weights, problem.Z, nodes));
+      ours = rcp(
+        new detail::OwnPreconditioner(hierarchy, weights, problem.Z, nodes, parameters.smoother));
       preconditioner = ours;
     } else {
       preconditioner = rcp(new detail::MueLuPreconditioner(

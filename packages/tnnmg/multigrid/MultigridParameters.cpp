@@ -4,6 +4,8 @@
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity::tnnmg::detail
 {
@@ -59,11 +61,30 @@ ParameterList forCycle(ParameterList const& given, int components)
   list.setParameters(given);
   return list;
 }
+
+// The registered smoothers, and what each of them is.
+struct Smoothers
+{
+  std::vector<std::pair<std::string, std::string>> words;
+  std::string meaning;
+};
+Smoothers smoothers()
+{
+  Smoothers result;
+  auto const& registry = multigrid::SmootherRegistry::instance();
+  for (auto const& name : registry.names()) {
+    result.words.emplace_back(name, name);
+    result.meaning += ' ' + name + ": " + registry.at(name).meaning();
+  }
+  return result;
+}
+
 Entries<MultigridParameters> multigridEntries()
 {
   using P = MultigridParameters;
   P defaults;
   defaults.aggregation.rows_per_rank = 1000;
+  const auto registered = smoothers();
   Entries<P> result(defaults);
   result
     .choice("Method", &P::method,
@@ -74,6 +95,8 @@ Entries<MultigridParameters> multigridEntries()
             "Selects whose V-cycle it is. Own: Asperity's, in single precision. MueLu: that of "
             "Trilinos on the same prolongators, in double precision, with the smoothers and the "
             "coarse solver of the list MueLu; a reference, which costs more.")
+    .choice("Smoother", &P::smoother, registered.words,
+            "Selects the smoother of the V-cycle, if that is Asperity's own." + registered.meaning)
     .integer("Maximum Iterations", &P::max_iterations, Range::atLeast(1),
              "Conjugate gradients make at most this number of iterations in one correction.")
     .integer("V-Cycles", &P::v_cycles, Range::atLeast(1),
@@ -120,6 +143,11 @@ MultigridParameters MultigridParameters::from(ParameterList const& given, int co
   completeAndValidate(list, *valid(), given.name());
   auto result = multigridEntries().read(list, given.name());
   const bool is_own = result.cycle == CycleKind::own;
+  ASPERITY_REQUIRE(is_own || result.smoother == MultigridParameters().smoother,
+                   joinPath(given.name(), "Smoother")
+                     << " = " << result.smoother
+                     << " has no effect with 'Cycle' = MueLu. Remove it, and choose a smoother of "
+                        "Trilinos by 'smoother: type' in the list MueLu.");
   auto const& muelu = list.sublist("MueLu");
   check(muelu, is_own);
   result.aggregation.muelu = forAggregation(muelu, components);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "multigrid/Cycle.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
+
+#include <string>
 
 namespace asperity::tnnmg::detail
 {
@@ -21,6 +24,7 @@ struct MultigridParameters
     muelu
   };
   CycleKind cycle = CycleKind::own;
+  std::string smoother = multigrid::Cycle::usual_smoother; // of the own cycle
   Method method = Method::conjugate_gradients;
   int max_iterations = 200;
   int v_cycles = 1;

@@ -7,6 +7,7 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,10 +36,11 @@ auto numbersOf(View const& view)
 
 OwnPreconditioner::OwnPreconditioner(MultigridHierarchy const& hierarchy,
                                      std::vector<double> const& weights, RCP<const CrsMatrix> Z,
-                                     std::shared_ptr<const MultigridNodes> nodes)
+                                     std::shared_ptr<const MultigridNodes> nodes,
+                                     std::string const& smoother)
     : Preconditioner(std::move(Z), std::move(nodes))
     , cycle_(hierarchy.shared(), weights, hierarchy.finestBlocks(*Z_),
-             flagsOf(nodes_->held_rows, numLocalRows(*Z_)), nodes_->view.dofs)
+             flagsOf(nodes_->held_rows, numLocalRows(*Z_)), nodes_->view.dofs, smoother)
     , gradients_(cycle_, sumOver(Z_->getComm()))
     , r_(multigrid::makeNumbers(cycle_.rows()))
 {

@@ -5,6 +5,7 @@
 #include "tnnmg/multigrid/Preconditioner.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity::tnnmg::detail
@@ -13,9 +14,10 @@ namespace asperity::tnnmg::detail
 class OwnPreconditioner final : public Preconditioner
 {
 public:
-  // Z is the sum of the hierarchy's terms times weights.
+  // Z is the sum of the hierarchy's terms times weights. smoother: of multigrid::SmootherRegistry.
   OwnPreconditioner(MultigridHierarchy const& hierarchy, std::vector<double> const& weights,
-                    RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes);
+                    RCP<const CrsMatrix> Z, std::shared_ptr<const MultigridNodes> nodes,
+                    std::string const& smoother = multigrid::Cycle::usual_smoother);
 
   void setup() override;
   void rebuild() override;

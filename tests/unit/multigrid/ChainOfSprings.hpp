@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace asperity::multigrid::testing
@@ -132,6 +133,8 @@ inline std::vector<Order> orders()
   return {{RowOrder::colours, 1}};
 }
 
+inline std::vector<std::string> smoothers() { return SmootherRegistry::instance().names(); }
+
 inline std::shared_ptr<const Hierarchy> twoLevels(double diagonal, Order order, int window = 0)
 {
   const Eigen::MatrixXd Z = chain(diagonal, window), P = prolongator();
@@ -150,7 +153,8 @@ inline std::shared_ptr<const Hierarchy> twoLevels(double diagonal, Order order, 
 // The cycle for a chain with blocks H at all nodes, some of which are removed.
 struct Chain
 {
-  explicit Chain(Order order = {}, double diagonal = 2.01, int window = 0)
+  explicit Chain(Order order = {}, double diagonal = 2.01, int window = 0,
+                 std::string const& smoother = Cycle::usual_smoother)
       : H("H", num_nodes, 1, 1)
       , removed("removed", num_nodes)
       , hierarchy(twoLevels(diagonal, order, window))
@@ -170,7 +174,7 @@ struct Chain
     const auto dofs_on_device = indices(dofs);
     cycle = std::make_unique<Cycle>(hierarchy, std::vector<double>{1},
                                     Matrix(chain(diagonal, window)).blocks, held,
-                                    Cycle::Dofs(dofs_on_device.data(), num_nodes, 1));
+                                    Cycle::Dofs(dofs_on_device.data(), num_nodes, 1), smoother);
   }
 
   static double blockAt(int node) { return node % 4; }

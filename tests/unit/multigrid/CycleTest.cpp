@@ -7,6 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,40 +20,112 @@ using namespace testing;
 
 TEST(Cycle, IsSymmetricAndGivesTheImageOfItsResult)
 {
-  for (auto order : orders()) {
-    const Chain chain(order);
-    ASSERT_TRUE(chain.cycle->setup(chain.H, chain.removed));
-    const auto A = Chain::matrix();
-    const auto r = Chain::force(0), q = Chain::force(1);
-    const auto [z, image] = chain.run(r);
-    for (int node = 0; node < num_nodes; ++node) {
-      EXPECT_EQ(z(node) != 0, Chain::isFree(node)) << node;
+  for (auto const& smoother : smoothers()) {
+    for (auto order : orders()) {
+      SCOPED_TRACE(smoother);
+      const Chain chain(order, 2.01, 0, smoother);
+      ASSERT_TRUE(chain.cycle->setup(chain.H, chain.removed));
+      const auto A = Chain::matrix();
+      const auto r = Chain::force(0), q = Chain::force(1);
+      const auto [z, image] = chain.run(r);
+      for (int node = 0; node < num_nodes; ++node) {
+        EXPECT_EQ(z(node) != 0, Chain::isFree(node)) << node;
+      }
+      EXPECT_LE((A * z - image).norm(), 1e-5 * image.norm());
+      const auto y = chain.run(q).z;
+      EXPECT_NEAR(z.dot(q), y.dot(r), 1e-5 * z.norm() * q.norm());
+      EXPECT_GT(z.dot(r), 0);
     }
-    EXPECT_LE((A * z - image).norm(), 1e-5 * image.norm());
-    const auto y = chain.run(q).z;
-    EXPECT_NEAR(z.dot(q), y.dot(r), 1e-5 * z.norm() * q.norm());
-    EXPECT_GT(z.dot(r), 0);
   }
 }
 
 // In a chain whose chunks are coupled more strongly than nodes with themselves. Without damping the
-// smallest eigenvalue would be -0.0006.
+// smallest eigenvalue of Gauss-Seidel would be -0.0006, and Jacobi would be indefinite by far. The
+// sweeps contract in the energy norm, and so does the cycle.
 TEST(Cycle, IsPositiveHoweverStronglyChunksAreCoupled)
 {
-  for (auto order : orders()) {
-    const Chain chain(order, 2.01, 12);
-    const HessianView no_blocks("H", num_nodes, 1, 1);
-    const FlagView none_removed("removed", num_nodes);
-    ASSERT_TRUE(chain.cycle->setup(no_blocks, none_removed));
-    Eigen::MatrixXd B(last, last);
-    for (int node = 0; node < last; ++node) {
-      B.col(node) = chain.run(Eigen::VectorXd::Unit(num_nodes, node)).z.head(last);
+  for (auto const& smoother : smoothers()) {
+    for (auto order : orders()) {
+      SCOPED_TRACE(smoother);
+      const Chain chain(order, 2.01, 12, smoother);
+      const HessianView no_blocks("H", num_nodes, 1, 1);
+      const FlagView none_removed("removed", num_nodes);
+      ASSERT_TRUE(chain.cycle->setup(no_blocks, none_removed));
+      Eigen::MatrixXd B(last, last);
+      for (int node = 0; node < last; ++node) {
+        B.col(node) = chain.run(Eigen::VectorXd::Unit(num_nodes, node)).z.head(last);
+      }
+      EXPECT_LE((B - B.transpose()).norm(), 1e-5 * B.norm());
+      const Eigen::MatrixXd symmetric = (B + B.transpose()) / 2;
+      // B x = lambda A^-1 x has the eigenvalues of B A.
+      const Eigen::MatrixXd A = testing::chain(2.01, 12).topLeftCorner(last, last);
+      const auto eigenvalues = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+                                 symmetric, A.inverse(), Eigen::EigenvaluesOnly)
+                                 .eigenvalues()
+                                 .eval();
+      EXPECT_GT(eigenvalues.minCoeff(), 0);
+      EXPECT_LE(eigenvalues.maxCoeff(), 1 + 1e-5);
     }
-    EXPECT_LE((B - B.transpose()).norm(), 1e-5 * B.norm());
-    const Eigen::MatrixXd symmetric = (B + B.transpose()) / 2;
-    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(symmetric).eigenvalues().minCoeff(),
-              0);
   }
+}
+
+// Gauss-Seidel depends on the order, the others are what they are in any.
+TEST(Smoothers, AreTheSameInAnyOrderOfRowsUnlessTheyAreGaussSeidel)
+{
+  for (auto const& smoother : smoothers()) {
+    std::vector<Eigen::VectorXd> results;
+    for (auto order : orders()) {
+      const Chain chain(order, 2.01, 0, smoother);
+      ASSERT_TRUE(chain.cycle->setup(chain.H, chain.removed));
+      results.push_back(chain.run(Chain::force(0)).z);
+    }
+    for (auto const& result : results) {
+      const double difference = (result - results.front()).norm() / results.front().norm();
+      if (smoother == Cycle::usual_smoother && &result != &results.front()) {
+        EXPECT_GT(difference, 1e-4);
+      } else {
+        EXPECT_LE(difference, 1e-5) << smoother;
+      }
+    }
+  }
+}
+
+TEST(Smoothers, AreRegistered)
+{
+  EXPECT_EQ(smoothers(), std::vector<std::string>({"Block Jacobi", "Chebyshev", "Gauss-Seidel"}));
+  EXPECT_THROW(Chain({}, 2.01, 0, "Soap"), std::out_of_range);
+}
+
+// One sweep of the chain with 2.01 and -1 on a matrix whose largest eigenvalue of D^-1 A is
+// 1 + cos(pi / 900) / 1.005 = 1.99502. Chebyshev's sweep on b from zero is
+// 4 / l (u - 4 / (5 l) w), u = D^-1 b, w = D^-1 A u, with l at most a tenth above that.
+TEST(Smoothers, ChebyshevIsAPolynomialBelowTheLargestEigenvalue)
+{
+  const Chain chain({defaultRowOrder(), 1});
+  auto const& level = chain.hierarchy->levels()[0];
+  const Matrix given(testing::chain());
+  LevelMatrix matrix = {level, chain.hierarchy->inOrder(given.blocks),
+                        {},    numbers(Eigen::VectorXd::Constant(num_nodes, 1 / 2.01)),
+                        {},    [](double*, int) {}};
+  const auto smoother = SmootherRegistry::instance().at("Chebyshev").make();
+  smoother->damp(matrix);
+  smoother->matrixChanged(matrix);
+  const Eigen::VectorXd b = Chain::force(0);
+  const auto on_rows = makeNumbers(num_nodes), x = makeNumbers(num_nodes);
+  const auto residual = makeNumbers(num_nodes);
+  chain.cycle->toRows(Chain::onNodes(b), 1, on_rows);
+  smoother->presmooth(matrix, on_rows, x, residual);
+  const Eigen::VectorXd found = chain.fromRows(x);
+  const Eigen::MatrixXd A = testing::chain();
+  const Eigen::VectorXd u = b / 2.01, w = A * u / 2.01;
+  // found = 4 t u - 3.2 t^2 w with t = 1 / l: the smaller root for what u sees of it
+  const double p = 4 * u.dot(u), q = 3.2 * w.dot(u);
+  const double t = (p - std::sqrt(p * p - 4 * q * found.dot(u))) / (2 * q);
+  EXPECT_LE((4 * t * u - 3.2 * t * t * w - found).norm(), 1e-5 * found.norm());
+  const double largest = 1 + std::cos(M_PI / 900) / 1.005;
+  EXPECT_GE(1 / t, largest);
+  EXPECT_LE(1 / t, 1.1 * largest);
+  EXPECT_LE((b - A * found - chain.fromRows(residual)).norm(), 1e-5 * b.norm());
 }
 
 // With three threads each of two levels has three chunks and one.
@@ -165,6 +241,29 @@ TEST(FloatConjugateGradients, NeedAboutAsManyIterationsInEveryOrder)
   for (int count : iterations) {
     EXPECT_LE(count, std::max(iterations.front() + 1, 3 * iterations.front() / 2));
   }
+}
+
+// The count of Gauss-Seidel is today's; Jacobi reads the matrix three times in a cycle where
+// Gauss-Seidel reads it two and a half times, and Chebyshev five times.
+TEST(FloatConjugateGradients, ConvergeWithEverySmoother)
+{
+  std::map<std::string, int> iterations;
+  for (auto const& smoother : smoothers()) {
+    for (auto order : orders()) {
+      const Chain chain(order, 2.01, 0, smoother);
+      chain.cycle->setCoarseBlocks(chain.H);
+      ASSERT_TRUE(chain.cycle->setup(chain.H, chain.removed));
+      FloatConjugateGradients gradients(*chain.cycle, [](double*, int) {});
+      const auto r = Chain::force(0);
+      const NodeView c("c", num_nodes);
+      const auto result = gradients.solve(Chain::onNodes(r), r.norm(), 1e-3, 100, c);
+      EXPECT_TRUE(result.converged) << smoother;
+      EXPECT_LE((r - Chain::matrix() * Chain::ofNodes(c)).norm(), 1.01e-3 * r.norm());
+      iterations[smoother] = std::max(iterations[smoother], result.iterations);
+    }
+  }
+  EXPECT_LE(iterations["Chebyshev"], iterations["Gauss-Seidel"] + 1);
+  EXPECT_LE(iterations["Block Jacobi"], 2 * iterations["Gauss-Seidel"]);
 }
 
 TEST(Cycle, RefusesAnIndefiniteMatrix)

@@ -1,7 +1,11 @@
 #pragma once
 
-#include "multigrid/Hierarchy.hpp"
 #include "multigrid/NodeKernels.hpp"
+#include "multigrid/Smoother.hpp"
+
+#include <cstddef>
+
+// The kernels of sweeps over the rows of a level.
 
 namespace asperity::multigrid
 {
@@ -16,14 +20,13 @@ struct BlockRows
   float const *A, *inverse;           // inverse of D + E, zero where not free
   float const* E;                     // (rows), or null if it is zero
 
-  BlockRows(Level const& level, NodeBlocks const& blocks, NodeBlocks const& inverses,
-            NodeVector const& damping)
-      : lower(level.graph.lower.data())
-      , upper(level.graph.upper.data())
-      , columns(level.graph.columns.data())
-      , A(blocks.data())
-      , inverse(inverses.data())
-      , E(damping.extent(0) > 0 ? damping.data() : nullptr)
+  explicit BlockRows(LevelMatrix const& matrix)
+      : lower(matrix.level.graph.lower.data())
+      , upper(matrix.level.graph.upper.data())
+      , columns(matrix.level.graph.columns.data())
+      , A(matrix.A.data())
+      , inverse(matrix.inverse.data())
+      , E(matrix.damping.extent(0) > 0 ? matrix.damping.data() : nullptr)
   {
   }
 
@@ -188,72 +191,21 @@ struct ImageRow
   }
 };
 
-// Sets the components of a row that are not free to zero.
-template <int N>
-struct ClearHeldRow
+// How a sweep takes its rows: together with the others of its chunk or with other colours, which is
+// Gauss-Seidel within them, or each alone, so that whatever it takes from others is from before the
+// sweep, which is Jacobi.
+template <class Row>
+struct Together : Row
 {
-  float const* inverse;
-  float* x;
-  KOKKOS_FUNCTION void operator()(int row, int, int) const
-  {
-    float const* diagonal = inverse + static_cast<std::size_t>(row) * N * N;
-    for (int c = 0; c < N; ++c) {
-      if (diagonal[c * N + c] == 0) {
-        x[row * N + c] = 0;
-      }
-    }
-  }
+  static constexpr bool is_jacobi = false;
 };
-
-// Sweeps of block Gauss-Seidel for A x = b on one level, in the order of its schedule.
-template <int N>
-class Sweeps
+template <class Row>
+struct Alone : Row
 {
-public:
-  Sweeps(Level const& level, NodeBlocks const& A, NodeBlocks const& inverse,
-         NodeVector const& damping)
-      : level_(level)
-      , rows_(level, A, inverse, damping)
+  static constexpr bool is_jacobi = true;
+  KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int, int) const
   {
+    Row::operator()(row, row, row + 1);
   }
-
-  // The forward sweep from x = 0, and the residual after it.
-  void forward(NodeVector const& b, NodeVector const& x, NodeVector const& residual) const
-  {
-    level_.schedule.forward(ForwardRow<N>{rows_, b.data(), x.data()});
-    level_.graph.share(x);
-    level_.schedule.forEach(ResidualRow<N>{rows_, x.data(), residual.data()});
-  }
-  // The backward sweep. Stores b - (L + G) x_before + E (x_before - x) in `residual`. `before` is
-  // made and overwritten if sweeps are shared.
-  void backward(NodeVector const& b, NodeVector const& x, NodeVector const& residual,
-                NodeVector& before) const
-  {
-    level_.graph.share(x);
-    if (level_.schedule.sharesSweeps()) {
-      if (before.extent(0) == 0) {
-        before = makeNumbers(x.extent(0));
-      }
-      Kokkos::deep_copy(before, x);
-    }
-    auto const& x_before = level_.schedule.sharesSweeps() ? before : x;
-    level_.schedule.backward(
-      BackwardRow<N>{rows_, b.data(), x_before.data(), x.data(), residual.data()});
-  }
-  // A x after the backward sweep, in place of what that stored.
-  void image(NodeVector const& x, NodeVector const& residual) const
-  {
-    level_.graph.share(x);
-    level_.schedule.forEach(ImageRow<N>{rows_, x.data(), residual.data()});
-    clearHeld(residual);
-  }
-  void clearHeld(NodeVector const& x) const
-  {
-    level_.schedule.forEach(ClearHeldRow<N>{rows_.inverse, x.data()});
-  }
-
-private:
-  Level const& level_;
-  BlockRows<N> rows_;
 };
 } // namespace asperity::multigrid

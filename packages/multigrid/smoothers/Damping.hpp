@@ -1,6 +1,6 @@
 #pragma once
 
-#include "multigrid/Sweeps.hpp"
+#include "multigrid/smoothers/SweepRows.hpp"
 
 // The damping of sweeps. Between chunks of rows and between ranks Gauss-Seidel is Jacobi, which
 // grows where these are strongly coupled, as nearly incompressible rock is: the cycle is then not
@@ -28,9 +28,11 @@ struct ScaleRow
   }
 };
 
-// The least E of a row for which, in the scale of D's diagonal, the smallest eigenvalue of D and
-// 2 E are together at least the sum of |G| over each row. The eigenvalue is bounded by the largest
-// row sum of the inverse. Most rows have E = 0.
+// The least E of a row for which, in the scale of D's diagonal, the smallest eigenvalue of
+// (t - 1) D and t E are together at least the sum of |G| over each row, t = `largest`: then
+// t (D + E) - (D + G) is positive semidefinite, and the eigenvalues of (D + E)^-1 (D + G) are at
+// most t. The eigenvalue is bounded by the largest row sum of the inverse. With Gauss-Seidel most
+// rows have E = 0.
 template <int N>
 struct DampRow
 {
@@ -38,6 +40,7 @@ struct DampRow
   int const* diagonal;
   float const* scale; // with ghosts
   float* E;
+  double largest; // above 1
   KOKKOS_FUNCTION void operator()(int row, int begin, int end) const
   {
     double outside[N] = {};
@@ -50,8 +53,8 @@ struct DampRow
     const double least = smallestEigenvalue(row);
     for (int c = 0; c < N; ++c) {
       const float own = scale[row * N + c];
-      const double excess = own > 0 ? outside[c] - least : 0;
-      E[row * N + c] = excess > 0 ? static_cast<float>(excess / (2. * own * own)) : 0;
+      const double excess = own > 0 ? outside[c] - (largest - 1) * least : 0;
+      E[row * N + c] = excess > 0 ? static_cast<float>(excess / (largest * own * own)) : 0;
     }
   }
 
@@ -78,15 +81,15 @@ private:
     }
     float inverse[N * N];
     invertFree(block, AllFree(), inverse);
-    double largest = 0;
+    double most = 0;
     for (int c = 0; c < N; ++c) {
       double sum = 0;
       for (int d = 0; d < N; ++d) {
         sum += math::fabs(inverse[c * N + d]);
       }
-      largest = sum > largest ? sum : largest;
+      most = sum > most ? sum : most;
     }
-    return largest > 0 ? 1 / largest : 0;
+    return most > 0 ? 1 / most : 0;
   }
 };
 } // namespace asperity::multigrid
