@@ -36,9 +36,9 @@ int main(int argc, char** argv)
     [&] {
       // 2. Read the command line.
       auto const arguments = parseBenchArguments(argc, argv);
-      const bool speaks = communicator->getRank() == 0;
+      const bool is_root = communicator->getRank() == 0;
       if (arguments.help) {
-        if (speaks) {
+        if (is_root) {
           printBenchHelp(std::cout);
         }
         return int(asperity::exit_done);
@@ -51,7 +51,7 @@ int main(int argc, char** argv)
                           : arguments.command == "kernels" ? measureKernels(*deck, communicator)
                                                            : measureStiffness(*deck, communicator);
       // 4. Print the table and write the file.
-      if (speaks) {
+      if (is_root) {
         std::cout << report.table << std::flush;
         if (!arguments.output.empty()) {
           write(arguments.output, report.file);

@@ -57,13 +57,13 @@ void Dataset::requireStorage() const
   hsize_t file_size = 0;
   checked("Asking the size of " + what_, [&] { return H5Fget_filesize(file.get(), &file_size); });
   // Deflate expands one byte to at most 1032 bytes.
-  double room = (layout == H5D_CHUNKED ? 1032. : 1.) * static_cast<double>(file_size);
-  room /= static_cast<double>(H5Tget_size(fileType().get()));
+  double largest_size = (layout == H5D_CHUNKED ? 1032. : 1.) * static_cast<double>(file_size);
+  largest_size /= static_cast<double>(H5Tget_size(fileType().get()));
   double size = 1;
   for (const hsize_t extent : shape()) {
     size *= static_cast<double>(extent);
   }
-  if (size > room) {
+  if (size > largest_size) {
     throw Error(what_ + " has a shape for which the file is too small: it is damaged.");
   }
 }

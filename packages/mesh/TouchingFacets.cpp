@@ -92,11 +92,11 @@ private:
   void insert(int number, int level)
   {
     auto low = facets_[number].corners[0], high = low;
-    const double room = largest_gap * longestEdge(facets_[number].corners);
+    const double margin = largest_gap * longestEdge(facets_[number].corners);
     for (auto const& corner : facets_[number].corners) {
       for (int d = 0; d < Dim; ++d) {
-        low[d] = std::min(low[d], corner[d] - room);
-        high[d] = std::max(high[d], corner[d] + room);
+        low[d] = std::min(low[d], corner[d] - margin);
+        high[d] = std::max(high[d], corner[d] + margin);
       }
     }
     const auto first = cellOf(low, level), last = cellOf(high, level);

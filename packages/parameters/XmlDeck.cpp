@@ -86,9 +86,9 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
   if (type == "string") {
     return ParameterEntry(value);
   }
-  static const std::set<std::string> ours = {"bool",       "int",    "Array(double)",
+  static const std::set<std::string> known_types = {"bool",       "int",    "Array(double)",
                                              "Array(int)", "double", "float"};
-  if (ours.count(type) == 0) {
+  if (known_types.count(type) == 0) {
     return readForeign(element, where);
   }
   const auto entry = readAs(type, value);

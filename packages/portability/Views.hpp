@@ -8,7 +8,7 @@
 #include <vector>
 
 // Views of what is known at the nodes of a fault, each indexed by the node's local number, and the
-// ways of views to and from the host.
+// copies of views between device and host.
 namespace asperity
 {
 using NodeView = Kokkos::View<double*, MemorySpace>; // (num_nodes)

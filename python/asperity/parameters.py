@@ -43,7 +43,7 @@ class Parameters:
         return cls(values, defaults)
 
     def changed(self) -> Dict[str, str]:
-        """Those whose values are not the defaults, as far as the file tells."""
+        """Those whose values differ from the defaults that the file has."""
         return {path: value for path, value in self._values.items() if path not in self._defaults}
 
     def __getitem__(self, path: str) -> str:

@@ -66,8 +66,8 @@ def extent(where: plane.Plane, fronts: List[np.ndarray]) -> Tuple[np.ndarray, np
     limits = []
     for along in (where.strike, where.dip):
         low, high = along[reached].min(), along[reached].max()
-        room = MARGIN * (high - low)
-        limits.append(where.unit([max(low - room, along.min()), min(high + room, along.max())]))
+        margin = MARGIN * (high - low)
+        limits.append(where.unit([max(low - margin, along.min()), min(high + margin, along.max())]))
     return limits[0], limits[1]
 
 

@@ -110,7 +110,7 @@ std::string describeSpeeds(BesideFault const& values)
                    : ".");
 }
 
-std::vector<Warning> questionValues(BesideFault const& values)
+std::vector<Warning> warnOfImplausibleValues(BesideFault const& values)
 {
   std::vector<Warning> questions;
   questionMaterial(values, questions);

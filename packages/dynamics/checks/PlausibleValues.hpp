@@ -38,5 +38,5 @@ std::string describeSpeeds(BesideFault const& values);
 
 // Warnings about values that neither rock nor a material of analogue experiments has: they are
 // probably not in SI units. PlausibleValues.cpp has the bounds and their sources.
-std::vector<Warning> questionValues(BesideFault const& values);
+std::vector<Warning> warnOfImplausibleValues(BesideFault const& values);
 } // namespace asperity::dynamics

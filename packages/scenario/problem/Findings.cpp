@@ -109,9 +109,9 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
   auto& warnings = findings.warnings;
   append(fem::warnOfPieces(mesh, context.discretisation.dofs->communicator()), warnings);
   append(warnOfLocking(bulk, rock, context.communicator()), warnings);
-  append(dynamics::questionValues(beside), warnings);
+  append(dynamics::warnOfImplausibleValues(beside), warnings);
   if (bearsFriction(friction)) {
-    append(questionFriction(friction, site.nodes, context.communicator()), warnings);
+    append(warnOfImplausibleFriction(friction, site.nodes, context.communicator()), warnings);
   }
   append(of_stress, warnings);
   std::optional<Warning> of_rock;

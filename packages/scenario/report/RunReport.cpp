@@ -80,7 +80,7 @@ void warnOfTolerance(ParameterList const& time_stepping, Description& descriptio
        "Time Stepping / " + TimeSettings::from(time_stepping).control +
          " / Tolerance = " + formatShort(tolerance) + " is looser than " + formatShort(loose) +
          ": numbers and times of earthquakes may be wrong. Decks have 1e-5 to 1e-2; asperity-study "
-         "--convergence tells what a tolerance does."});
+         "--convergence shows the effect of a tolerance."});
   }
 }
 

@@ -256,7 +256,7 @@ std::string Evolution<Dim>::placeOf(int vertex) const
          mesh::text(problem_.mesh().vertices[vertex]);
 }
 
-// Checks the step that has just been made: nan spreads quickly, and the first place tells most.
+// Checks the step that has just been made: nan spreads quickly, and its first place is the most useful one.
 template <int Dim>
 void Evolution<Dim>::requireFinite() const
 {

@@ -53,7 +53,7 @@ std::vector<std::size_t> nodesOfFriction(Problem<Dim> const& problem,
   return order;
 }
 
-// For each vertex a point near it, inside a cell that has the vertex, which tells the side of a
+// For each vertex a point near it, inside a cell that has the vertex, which is on the side of a
 // fault.
 template <int Dim>
 Values pointsInCells(Mesh<Dim> const& mesh, std::vector<int> const& vertices)

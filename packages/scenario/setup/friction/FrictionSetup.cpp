@@ -183,8 +183,8 @@ std::shared_ptr<const dynamics::FaultProcess> regularisation(ParameterList const
 }
 } // namespace
 
-std::vector<Warning> questionFriction(ParameterList const& list, FieldNodes const& nodes,
-                                      Communicator const& communicator)
+std::vector<Warning> warnOfImplausibleFriction(ParameterList const& list, FieldNodes const& nodes,
+                                               Communicator const& communicator)
 {
   // Rubber on a rough surface has 2 to 4. Barriers may have any, so that the smallest counts.
   constexpr double largest_coefficient = 5;

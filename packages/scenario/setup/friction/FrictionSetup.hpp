@@ -32,8 +32,8 @@ bool followsAtOnce(ParameterList const& list);
 
 // Warnings about a friction coefficient and a reference slip rate that no material has anywhere on
 // the fault. Collective.
-std::vector<Warning> questionFriction(ParameterList const& list, FieldNodes const& nodes,
-                                      Communicator const& communicator);
+std::vector<Warning> warnOfImplausibleFriction(ParameterList const& list, FieldNodes const& nodes,
+                                               Communicator const& communicator);
 
 // Makes the fault: the laws of the list with their parameters at the nodes, which are those of the
 // surface and of its mesh, and the normal stress with the list's Normal Stress Change and Floor.
