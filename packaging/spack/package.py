@@ -49,6 +49,7 @@ class Asperity(CMakePackage, CudaPackage):
     depends_on("cli11")
     depends_on("eigen@3.3:")
     depends_on("gmsh", when="+gmsh")
+    depends_on("proj@7:", when="+gmsh")
 
     with when("+python"):
         depends_on("python@3.9:", type=("build", "run"))

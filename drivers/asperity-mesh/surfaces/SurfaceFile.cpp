@@ -9,7 +9,6 @@
 #include "base/Text.hpp"
 
 #include <algorithm>
-#include <iostream>
 
 namespace asperity::geometry
 {
@@ -73,11 +72,6 @@ SurfacePart choose(std::vector<SurfacePart>&& parts, std::string const& name,
     parts[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())]);
 }
 } // namespace
-
-void printRemark(std::string const& sentence)
-{
-  std::cerr << "asperity-mesh: WARNING: " << sentence << '\n';
-}
 
 void addPolygon(TriangleSurface& surface, std::vector<int> const& corners)
 {

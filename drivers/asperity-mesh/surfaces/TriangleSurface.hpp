@@ -1,10 +1,12 @@
 #pragma once
+
 #include <array>
-#include <string>
 #include <vector>
+
 namespace asperity::geometry
 {
-// A triangulated surface in coordinates of the model [m]. Triangles are triples of indices into points.
+// A triangulated surface in coordinates of the model [m]. Triangles are triples of indices into
+// points.
 struct TriangleSurface
 {
   std::vector<std::array<double, 3>> points;
