@@ -1,15 +1,14 @@
 #include "Commands.hpp"
-#include "GmshFile.hpp"
-#include "GmshGeometry.hpp"
+#include "GmshSession.hpp"
 #include "Meshes.hpp"
-#include "TemporaryFolder.hpp"
+#include "formats/MeshFormat.hpp"
 
 #include "base/Text.hpp"
 #include "base/WriteFailure.hpp"
 #include "mesh/TouchingFacets.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <variant>
 
 namespace
 {
@@ -28,9 +27,9 @@ std::string extents(asperity::GlobalMesh<Dim> const& mesh)
 }
 
 template <int Dim>
-void convertMesh(GmshFile const& source, std::string const& where, std::string const& file_name)
+void writeConverted(asperity::GlobalMesh<Dim> const& mesh, std::string const& where,
+                    std::string const& file_name)
 {
-  const auto mesh = source.mesh<Dim>();
   if (const auto touching = asperity::mesh::touchingFacets(mesh)) {
     warn(where + ": " + asperity::mesh::sentence(*touching));
   }
@@ -44,9 +43,14 @@ void convertMesh(GmshFile const& source, std::string const& where, std::string c
   std::cout << extents(mesh) << '\n';
 }
 
-void convertFile(GmshFile const& source, std::string const& where, std::string const& file_name)
+// "IN.geo, IN.msh or IN.puml.h5"
+std::string alternatives(std::vector<std::string> const& endings, std::string const& name)
 {
-  (source.dimension() == 2 ? convertMesh<2> : convertMesh<3>)(source, where, file_name);
+  std::string text;
+  for (std::size_t i = 0; i < endings.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + name + endings[i];
+  }
+  return text;
 }
 
 // Before the mesh is made.
@@ -67,35 +71,28 @@ void convert(Arguments& arguments)
   double scale = 1;
   arguments.values("--set", settings, "NAME=VALUE", "replace a number of DefineConstant in a .geo")
     .values("--names", names, "NUMBER=NAME,...",
-            "names of boundaries and faults by the numbers of their physical groups, as "
-            "\"1=free,3=fault,5=far\"; without a name they are called boundary_1, boundary_3")
+            "names of boundaries and faults by the numbers that the file has for them, as "
+            "\"1=free,3=fault,5=far\"; groups of Gmsh without a name are called boundary_1, "
+            "boundary_3, codes of SeisSol by their meaning, as free_surface and fault")
     .values("--region-names", region_names, "NUMBER=NAME,...", "the same for regions")
     .values("--without", without, "NAME,...", "leave out these boundaries or faults");
   arguments.number("--scale", scale, "factor of all coordinates: 1000 for a mesh in km");
   arguments.overwrite();
-  if (!arguments.read({"IN.msh or IN.geo", "OUT.h5"})) {
+  if (!arguments.read({alternatives(knownEndings(), "IN"), "OUT.h5"})) {
     return;
   }
   auto const& from = arguments.file(0);
   auto const& to = arguments.file(1);
   ASPERITY_REQUIRE(scale > 0,
                    "Option --scale = " << asperity::formatNumber(scale) << " is outside (0, inf).");
-  const GroupNames group_names(names, region_names, without);
+  const ReadOptions options = {{names, region_names, without}, scale, settings, to};
   arguments.requireNew(to);
   const std::string where = "'" + from + "'";
-  if (isGeometry(from)) {
-    requireFolder(to);
-    std::optional<TemporaryFolder> folder; // made when it is needed: meshing may be interrupted
-    const auto target = [&] { return folder.emplace(to).file("mesh.msh"); };
-    convertFile({meshGeometry(from, settings, group_names, target), "Gmsh geometry " + where,
-                 group_names, scale},
-                where, to);
-  } else {
-    ASPERITY_REQUIRE(settings.empty(), "Option --set " << settings.front() << ": mesh file "
-                                                       << where
-                                                       << " is no geometry (.geo), but a mesh.");
-    const GmshFile source(from, "Mesh file " + where, group_names, scale);
-    tell(source.groups());
-    convertFile(source, where, to);
-  }
+  const auto [format, ending] = formatOf(from);
+  ASPERITY_REQUIRE(settings.empty() || format->isGeometry(ending),
+                   "Option --set " << settings.front() << ": mesh file " << where
+                                   << " is no geometry (.geo), but a mesh.");
+  requireFolder(to);
+  const auto mesh = format->read(from, options);
+  std::visit([&](auto const& any) { writeConverted(any, where, to); }, mesh);
 }

@@ -154,24 +154,19 @@ void requireOneRegion(std::vector<Group> const& regions, int dimension, std::str
   }
 }
 
+std::vector<std::string> namesOf(std::vector<Group> const& groups)
+{
+  std::vector<std::string> names;
+  for (auto const& group : groups) {
+    names.push_back(group.name);
+  }
+  return names;
+}
+
 void leaveOut(std::set<std::string> const& without, PhysicalGroups& groups,
               std::string const& where)
 {
-  std::vector<std::string> names;
-  for (auto const& group : groups.boundaries) {
-    names.push_back(group.name);
-  }
-  for (auto const& name : without) {
-    const bool is_region = std::any_of(groups.regions.begin(), groups.regions.end(),
-                                       [&](Group const& region) { return region.name == name; });
-    const bool is_known = std::find(names.begin(), names.end(), name) != names.end();
-    ASPERITY_REQUIRE(is_known || !is_region, "Option --without "
-                                               << name << ": this is a region of " << where
-                                               << ". Only boundaries and faults can be left out.");
-    ASPERITY_REQUIRE(is_known, "Option --without " << name << ": " << where
-                                                   << " has no such boundary or fault."
-                                                   << asperity::didYouMean(name, names));
-  }
+  requireBoundaries(without, namesOf(groups.boundaries), namesOf(groups.regions), where);
   auto& kept = groups.boundaries;
   kept.erase(std::remove_if(kept.begin(), kept.end(),
                             [&](Group const& group) { return without.count(group.name) > 0; }),
@@ -190,6 +185,24 @@ GroupNames::GroupNames(std::vector<std::string> const& boundary_names,
       ASPERITY_REQUIRE(!name.empty(), "Option --without " << text << ": a name is missing.");
       without.insert(name);
     }
+  }
+}
+
+void requireBoundaries(std::set<std::string> const& without,
+                       std::vector<std::string> const& boundaries,
+                       std::vector<std::string> const& regions, std::string const& where)
+{
+  const auto has = [](std::vector<std::string> const& names, std::string const& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (auto const& name : without) {
+    ASPERITY_REQUIRE(has(boundaries, name) || !has(regions, name),
+                     "Option --without " << name << ": this is a region of " << where
+                                         << ". Only boundaries and faults can be left out.");
+    ASPERITY_REQUIRE(has(boundaries, name), "Option --without "
+                                              << name << ": " << where
+                                              << " has no such boundary or fault."
+                                              << asperity::didYouMean(name, boundaries));
   }
 }
 

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-// What the options of convert say about names. Numbers are those of Gmsh's physical groups.
+// What the options of convert say about names. Numbers are those of the file, as of
+// Gmsh's physical groups.
 struct GroupNames
 {
   // `boundaries` and `regions` are lists "1=free, 3=fault", `without` "a, b", each as often as the
@@ -17,6 +18,11 @@ struct GroupNames
   std::map<int, std::string> boundaries, regions;
   std::set<std::string> without; // boundaries and faults
 };
+
+// InputError unless all names to be left out are those of boundaries, with the nearest name.
+void requireBoundaries(std::set<std::string> const& without,
+                       std::vector<std::string> const& boundaries,
+                       std::vector<std::string> const& regions, std::string const& where);
 
 // A physical group of Gmsh.
 struct Group

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <iostream>
 
-// Makes meshes, converts those of Gmsh into Asperity's HDF5 files, and partitions them. A serial
+// Makes meshes, converts those of other programs into Asperity's HDF5 files, and partitions them. A serial
 // program: MPI is not started.
 namespace
 {
@@ -18,9 +18,11 @@ struct Command
 };
 
 const std::vector<Command> commands = {
-  {"convert", "IN.msh or IN.geo OUT.h5",
-   "Converts a mesh of Gmsh, or meshes a geometry: a program, take it only from whom you trust.\n"
-   "    Physical groups become regions, boundaries and, where they lie inside, faults.",
+  {"convert", "IN.msh, IN.geo or IN.puml.h5 OUT.h5",
+   "Converts a mesh of Gmsh or of SeisSol (PUML), or meshes a geometry of Gmsh: a program, take "
+   "it\n"
+   "    only from whom you trust. Groups become regions, boundaries and, where they lie inside,\n"
+   "    faults.",
    convert},
   {"wedge", "OUT.h5", "Makes the subduction wedge of Pipping 2014, A.1, by bisection.", makeWedge},
   {"rectangle", "OUT.h5", "Makes a rectangle of right triangles, graded by bisection.",

@@ -1,3 +1,4 @@
+#include "multigrid/CycleKernels.hpp"
 #include "multigrid/NodeKernels.hpp"
 #include "multigrid/NodeMatrix.hpp"
 #include "multigrid/Smoother.hpp"
@@ -112,10 +113,43 @@ double largestEigenvalue(std::vector<double> const& diagonal, std::vector<double
   return above;
 }
 
-// Polynomials in D^-1 A that are Chebyshev's of the fourth kind (Lottes 2023, Numer. Linear Algebra
-// Appl. 30, e2518): of all of their degree they give the best bound for a V-cycle, and need only the
-// largest eigenvalue. With degree k they change an error by a factor of less than 1 between zero and
-// that eigenvalue, and beyond, for k = 2 until 1.25 times it.
+// The largest sum of a row of a block in the scale of its diagonal: (that sum) times the diagonal is
+// at least the block. E = excess times that.
+template <int N>
+struct DampBlock
+{
+  int const* diagonal; // of MatrixGraph
+  float const* A;
+  double excess;
+  float* E;
+  KOKKOS_FUNCTION void operator()(int row, int, int) const
+  {
+    float const* block = A + static_cast<std::size_t>(diagonal[row]) * N * N;
+    double most = 0;
+    for (int c = 0; c < N && diagonal[row] >= 0; ++c) {
+      double sum = 0;
+      for (int d = 0; d < N; ++d) {
+        const double scale = math::sqrt(static_cast<double>(block[c * N + c]) * block[d * N + d]);
+        sum += scale > 0 ? math::fabs(block[c * N + d]) / scale : 0;
+      }
+      most = sum > most ? sum : most;
+    }
+    for (int c = 0; c < N; ++c) {
+      E[row * N + c] = diagonal[row] < 0 ? 0 : static_cast<float>(excess * most * block[c * N + c]);
+    }
+  }
+};
+
+// A polynomial in (D + E)^-1 A that is Chebyshev's of the fourth kind (Lottes 2023, Numer. Linear
+// Algebra Appl. 30, e2518): of all of its degree it gives the best bound for a V-cycle, and needs
+// only a bound for the eigenvalues. With degree 2 and the bound t it changes an error of eigenvalue
+// l by the factor q = (4 c^2 + 2 c - 1) / 5, c = 1 - 2 l / t, which is between -1 and 1 for l up to
+// 1.25 t.
+//
+// At a node with a stiff block H the eigenvalue is 1, and its error, which the coarse correction
+// has left there, has to vanish, because its energy is large: q(1) = 0 for t = 2 / (1 - cos(2 pi /
+// 5)) = 2.894. E makes t a bound: it is zero if the largest eigenvalue of D^-1 A, as estimated for
+// the matrix without H, is less, and otherwise as much of D as is missing.
 class Chebyshev final : public Smoother
 {
 public:
@@ -123,13 +157,24 @@ public:
     "a polynomial of degree 2 in the inverse blocks times the matrix, before and after, the same "
     "in any order of rows; it estimates the largest eigenvalue of each level.";
 
-  void matrixChanged(LevelMatrix const& matrix) override
+  void damp(LevelMatrix& matrix) override
   {
+    auto const& graph = matrix.level.graph;
     if (d_.extent(0) == 0) {
-      d_ = makeNumbers(matrix.level.graph.columnsWithGhosts());
+      d_ = makeNumbers(graph.columnsWithGhosts());
     }
-    // An estimate is from below. The mean of all eigenvalues is 1.
-    largest_ = std::max(1., margin * estimate(matrix));
+    const double excess = margin * estimate(matrix) / bound - 1; // the same on all ranks
+    if (!(excess > 0)) {
+      Kokkos::deep_copy(matrix.damping, 0.f); // if there was any
+      return;
+    }
+    if (matrix.damping.extent(0) == 0) {
+      matrix.damping = makeNumbers(graph.rows());
+    }
+    withBlockSizes(matrix.blockSize(), matrix.blockSize(), [&](auto size, auto) {
+      matrix.level.schedule.forEach(DampBlock<decltype(size)::value>{
+        graph.diagonal.data(), matrix.A.data(), excess, matrix.damping.data()});
+    });
   }
 
   void presmooth(LevelMatrix const& matrix, NodeVector const& b, NodeVector const& x,
@@ -167,23 +212,23 @@ public:
 
 private:
   static constexpr int degree = 2;
-  static constexpr int most_steps = 10; // of an estimate
-  static constexpr double margin = 1.1;
+  static constexpr double bound = 2.8944271909999157; // t
+  static constexpr int most_steps = 10;               // of an estimate
+  static constexpr double margin = 1.1;               // an estimate is from below
 
   void step(LevelMatrix const& matrix, int k, NodeVector const& r, NodeVector const& x) const
   {
     const double again = k == 1 ? 0 : (2. * k - 3) / (2. * k + 1);
-    const double factor = (8. * k - 4) / ((2. * k + 1) * largest_);
-    solveBlocks(matrix, r, again, factor, d_, x.data());
+    const double factor = (8. * k - 4) / ((2. * k + 1) * bound);
+    solveBlocks(matrix, matrix.inverse, r, again, factor, d_, x.data());
   }
 
-  static void solveBlocks(LevelMatrix const& matrix, NodeVector const& r, double again,
-                          double factor, NodeVector const& d, float* x)
+  static void solveBlocks(LevelMatrix const& matrix, NodeBlocks const& inverse, NodeVector const& r,
+                          double again, double factor, NodeVector const& d, float* x)
   {
     withBlockSizes(matrix.blockSize(), matrix.blockSize(), [&](auto size, auto) {
       constexpr int N = decltype(size)::value;
-      matrix.level.schedule.forEach(StepRow<N>{matrix.inverse.data(), r.data(),
-                                               static_cast<float>(again),
+      matrix.level.schedule.forEach(StepRow<N>{inverse.data(), r.data(), static_cast<float>(again),
                                                static_cast<float>(factor), d.data(), x});
     });
   }
@@ -203,6 +248,24 @@ private:
     return sum;
   }
 
+  static NodeBlocks undampedInverse(LevelMatrix const& matrix)
+  {
+    auto const& graph = matrix.level.graph;
+    const auto inverse = makeNumbers(graph.rows() * graph.row_size);
+    withBlockSizes(graph.row_size, graph.row_size, [&](auto size, auto) {
+      constexpr int N = decltype(size)::value;
+      int const* diagonal = graph.diagonal.data();
+      if (matrix.held.extent(0) > 0) {
+        matrix.level.schedule.forEach(
+          InvertFinest<N>{diagonal, matrix.A.data(), nullptr, matrix.held.data(), inverse.data()});
+      } else {
+        matrix.level.schedule.forEach(
+          InvertRow<N>{diagonal, matrix.A.data(), nullptr, inverse.data()});
+      }
+    });
+    return inverse;
+  }
+
   // The largest eigenvalue of the tridiagonal matrix of a few steps of conjugate gradients for
   // D^-1 A (Lanczos); the steps begin with the same vector on any number of ranks if the nodes'
   // ids are the same.
@@ -212,13 +275,14 @@ private:
     const int N = matrix.blockSize();
     const std::size_t rows = matrix.level.graph.rows();
     const auto r = makeNumbers(rows), z = makeNumbers(rows), w = makeNumbers(rows);
+    const auto inverse = undampedInverse(matrix);
     auto const& p = d_;
     Kokkos::deep_copy(p, 0.f);
     schedule.forEachNumber(N, FillRandom{matrix.level.ids, N, r.data()});
     std::vector<double> diagonal, beside;
     double rz = 0, again = 0, length = 0;
     for (int k = 0; k < most_steps; ++k) {
-      solveBlocks(matrix, r, 0, 1, z, nullptr);
+      solveBlocks(matrix, inverse, r, 0, 1, z, nullptr);
       const double rz_before = rz, length_before = length;
       rz = product(matrix, r, z);
       again = k == 0 ? 0 : rz / rz_before;
@@ -240,8 +304,7 @@ private:
     return diagonal.empty() ? 0 : largestEigenvalue(diagonal, beside);
   }
 
-  double largest_ = 1; // eigenvalue of D^-1 A
-  NodeVector d_;       // the last change of x, with ghosts
+  NodeVector d_; // the last change of x, with ghosts
 };
 } // namespace
 

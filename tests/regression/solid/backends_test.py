@@ -1,5 +1,6 @@
 """What other backends take by default, run on the backend of this build: MueLu's factories for
-threads and devices ("use kokkos refactor"), and sweeps by colours. And MueLu's own cycle.
+threads and devices ("use kokkos refactor"), and sweeps by colours. And other smoothers, and MueLu's
+own cycle.
 
 Fields must be those of the defaults to the tolerance of the solver, for about as many V-cycles.
 "aggregation: drop tol", which was a default in space, made these factories throw.
@@ -27,6 +28,14 @@ def v_cycles(folder):
     return sum(row["v_cycles"] for row in asperity_run.table(folder / "steps.csv"))
 
 
+def energy_rises(folder):
+    return sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
+
+
+def events(folder):
+    return asperity_run.table(folder / "events.csv")
+
+
 class Backends(unittest.TestCase):
     def check(self, name, parameters, most, ranks):
         defaults, found = run("defaults", {}, ranks), run(name, parameters, ranks)
@@ -37,6 +46,7 @@ class Backends(unittest.TestCase):
         print(f"{name}, {ranks} ranks: {v_cycles(found)} V-cycles, {v_cycles(defaults)} by default")
         self.assertGreater(v_cycles(defaults), 0)
         self.assertLess(v_cycles(found), most * v_cycles(defaults))
+        return found
 
     def test_factories_of_threads_and_devices(self):
         for ranks in (1, 2):
@@ -48,6 +58,17 @@ class Backends(unittest.TestCase):
         for ranks in (1, 2):
             with self.subTest(ranks=ranks):
                 self.check("colours", {"Row Order": "Colours"}, 1.25, ranks)
+
+    def test_smoothers(self):
+        # Twice as many were allowed before the test first ran.
+        for smoother in ("Chebyshev", "Block Jacobi"):
+            for ranks in (1, 2):
+                with self.subTest(smoother=smoother, ranks=ranks):
+                    found = self.check(smoother.split()[0], {"Smoother": smoother}, 2, ranks)
+                    self.assertEqual(energy_rises(found), 0)
+                    defaults = run("defaults", {}, ranks)
+                    for event, other in zip(events(found), events(defaults), strict=True):
+                        self.assertAlmostEqual(event["onset"], other["onset"], delta=1e-9)
 
     def test_cycle_of_muelu(self):
         # Its smoother is not ours, so that V-cycles tell little; twice as many were allowed before

@@ -133,7 +133,13 @@ inline std::vector<Order> orders()
   return {{RowOrder::colours, 1}};
 }
 
-inline std::vector<std::string> smoothers() { return SmootherRegistry::instance().names(); }
+// Those that contract.
+inline std::vector<std::string> smoothers()
+{
+  auto names = SmootherRegistry::instance().names();
+  names.erase(std::remove(names.begin(), names.end(), "Nothing"), names.end()); // of a test
+  return names;
+}
 
 inline std::shared_ptr<const Hierarchy> twoLevels(double diagonal, Order order, int window = 0)
 {

@@ -163,6 +163,20 @@ TEST_P(MultigridCorrectionCase, MeetsDirectSolveByTheCycleOfMueLu)
   checkAllTruncations(correction, model, 1.5 * GetParam().iterations);
 }
 
+// What a sweep costs is that of Gauss-Seidel, or twice that with Chebyshev; one of Jacobi smooths
+// less. Twice as many iterations were allowed before the test first ran.
+TEST_P(MultigridCorrectionCase, MeetsDirectSolveWithEverySmoother)
+{
+  const auto model = modelWith(GetParam().tau, GetParam().components, GetParam().tangents);
+  for (std::string smoother : {"Chebyshev", "Block Jacobi"}) {
+    SCOPED_TRACE(smoother);
+    auto list = parameters();
+    list.set("Smoother", smoother);
+    MultigridCorrection correction(model.problem(), list);
+    checkAllTruncations(correction, model, 2 * GetParam().iterations);
+  }
+}
+
 // Theory bounds iterations by the contraction of a V-cycle, but gives no number for this one: the
 // counts, and the fifth that the test allows beyond them, were chosen after the result.
 INSTANTIATE_TEST_SUITE_P(Steps, MultigridCorrectionCase,

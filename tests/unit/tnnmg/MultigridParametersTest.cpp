@@ -38,6 +38,15 @@ TEST(MultigridParameters, RefusesParametersThatNobodyKnows)
   auto with_repartitioning = with_smoother;
   with_repartitioning.sublist("MueLu").set("repartition: enable", true);
   EXPECT_THROW(MultigridCorrection(model.problem(), with_repartitioning), InputError);
+  auto with_unknown_smoother = parameters();
+  with_unknown_smoother.set("Smoother", "Soap");
+  test::expectRefusal<InputError>(
+    [&] { MultigridCorrection(model.problem(), with_unknown_smoother); },
+    {"Smoother", "Soap", "Chebyshev"});
+  auto of_muelu = parameters();
+  of_muelu.set("Cycle", "MueLu").set("Smoother", "Chebyshev");
+  test::expectRefusal<InputError>([&] { MultigridCorrection(model.problem(), of_muelu); },
+                                  {"Smoother = Chebyshev has no effect", "smoother: type"});
   auto with_unknown_method = parameters();
   with_unknown_method.set("Method", "W-Cycles");
   EXPECT_THROW(MultigridCorrection(model.problem(), with_unknown_method), InputError);

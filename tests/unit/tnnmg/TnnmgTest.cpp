@@ -1,9 +1,11 @@
 #include "tnnmg/Tnnmg.hpp"
 
 #include "FullSolve.hpp"
+#include "multigrid/Smoother.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/direct/DenseCorrection.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
+#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -11,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 namespace asperity::tnnmg
 {
@@ -99,6 +102,22 @@ TEST_P(TnnmgCase, MeetsCoordinateDescentOnAllDofs)
   // Chosen after the result: 7 give 1e-13 once truncation is settled, which has no known bound.
   EXPECT_LE(result.iterations, 25);
   EXPECT_GT(result.v_cycles, 0);
+}
+
+TEST_P(TnnmgCase, MeetsCoordinateDescentWithEverySmoother)
+{
+  const RateProblem problem(GetParam());
+  const auto reference = problem.reference();
+  for (auto const& smoother : multigrid::SmootherRegistry::instance().names()) {
+    SCOPED_TRACE(smoother);
+    auto list = multigridParameters();
+    list.set("Smoother", smoother);
+    auto v = atRest(problem);
+    const auto result =
+      solveFull(problem, problem.nodesOfRank(), tight(), v, {},
+                std::make_shared<MultigridCorrection>(problem.model.problem(), list));
+    checkSolution(problem, result, v, reference);
+  }
 }
 
 TEST_P(TnnmgCase, MeetsCoordinateDescentOnTheCondensedFault)
