@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <iostream>
 
-// Makes meshes, converts those of other programs into Asperity's HDF5 files, and partitions them. A serial
-// program: MPI is not started.
+// Makes meshes, converts those of other programs into Asperity's HDF5 files, and partitions them. A
+// serial program: MPI is not started.
 namespace
 {
 struct Command

@@ -17,8 +17,8 @@ template <int N>
 struct InvertFinest;
 
 // A V-cycle for Z + H on the dofs that are neither removed nor held, with a Smoother before and
-// after the coarse correction, so that the cycle is symmetric. H has blocks at some nodes, the added
-// nodes. It runs where all kernels do; the coarsest level is solved on the host.
+// after the coarse correction, so that the cycle is symmetric. H has blocks at some nodes, the
+// added nodes. It runs where all kernels do; the coarsest level is solved on the host.
 class Cycle
 {
 public:
@@ -48,8 +48,8 @@ public:
   };
   // One cycle for (Z + H) z = r that starts from zero, in single precision: r should be of the
   // order of one. z is zero at removed and held dofs, where r is not read. With Gauss-Seidel the
-  // image costs much less than a product, since the backward sweep has most of it. All vectors are in the order of
-  // the finest level's rows. Collective.
+  // image costs much less than a product, since the backward sweep has most of it. All vectors are
+  // in the order of the finest level's rows. Collective.
   Result run(NodeVector const& r, bool with_image);
 
   // To that order, divided by `by`, and from it, times `times`.

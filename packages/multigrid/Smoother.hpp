@@ -25,10 +25,10 @@ struct LevelMatrix
 };
 
 // A smoother S for A x = b on one level, before and after the correction by the coarser levels. The
-// cycle is symmetric if the sweep after the correction is the transpose of that before, and positive
-// if S + S^T - S A S^T is, that is, if the sweep alone contracts in the energy norm. To let sweeps
-// share what they read of A, a smoother computes a residual and a product as well. Vectors `x` have
-// the level's columns with ghosts, others its rows. All calls are collective.
+// cycle is symmetric if the sweep after the correction is the transpose of that before, and
+// positive if S + S^T - S A S^T is, that is, if the sweep alone contracts in the energy norm. To
+// let sweeps share what they read of A, a smoother computes a residual and a product as well.
+// Vectors `x` have the level's columns with ghosts, others its rows. All calls are collective.
 class Smoother
 {
 public:

@@ -113,8 +113,8 @@ double largestEigenvalue(std::vector<double> const& diagonal, std::vector<double
   return above;
 }
 
-// The largest sum of a row of a block in the scale of its diagonal: (that sum) times the diagonal is
-// at least the block. E = excess times that.
+// The largest sum of a row of a block in the scale of its diagonal: (that sum) times the diagonal
+// is at least the block. E = excess times that.
 template <int N>
 struct DampBlock
 {

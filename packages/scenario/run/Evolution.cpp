@@ -256,7 +256,8 @@ std::string Evolution<Dim>::placeOf(int vertex) const
          mesh::text(problem_.mesh().vertices[vertex]);
 }
 
-// Checks the step that has just been made: nan spreads quickly, and its first place is the most useful one.
+// Checks the step that has just been made: nan spreads quickly, and its first place is the most
+// useful one.
 template <int Dim>
 void Evolution<Dim>::requireFinite() const
 {

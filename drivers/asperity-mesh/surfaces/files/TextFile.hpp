@@ -8,8 +8,8 @@
 
 namespace asperity::geometry
 {
-// A text file, compressed by gzip or not, as words line by line; commas separate words, too. All functions throw InputError
-// with file, line and what is expected there.
+// A text file, compressed by gzip or not, as words line by line; commas separate words, too. All
+// functions throw InputError with file, line and what is expected there.
 class TextFile
 {
 public:
