@@ -1,11 +1,15 @@
 #include "fem/NodalDamping.hpp"
 
+#include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryCells.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
+
+#include <algorithm>
+#include <cmath>
 
 namespace asperity::fem
 {
@@ -38,21 +42,39 @@ std::array<double, 9> dashpot(NodalFrames const& frames, int p, int q, Point<Dim
   return block;
 }
 
-template <int Dim, int Components>
-NodalDampers dampersOf(Mesh<Dim> const& mesh, std::string const& boundary,
-                       NodalFrames const& frames, std::vector<Material> const& materials)
+void requireResistance(BoundaryResistance const& resistance, BoundaryResistance::Value const& value,
+                       std::array<double, 3> const& x)
 {
-  auto const cells = cellsBeside(mesh, boundary);
-  auto const& facets = mesh.boundaries.at(boundary);
+  for (const double number : {value.across, value.along}) {
+    ASPERITY_REQUIRE(number >= 0 && std::isfinite(number),
+                     "Asperity / Boundary Conditions: the boundary '"
+                       << resistance.boundary << "' resists motion by " << number << " per metre"
+                       << (resistance.against == BoundaryResistance::Against::velocity
+                             ? " per second at ("
+                             : " at (")
+                       << x[0] << ", " << x[1] << ", " << x[2]
+                       << ") m. It needs a finite number that is not negative.");
+  }
+}
+
+template <int Dim, int Components>
+NodalDampers blocksOf(Mesh<Dim> const& mesh, BoundaryResistance const& resistance,
+                      NodalFrames const& frames, std::vector<Material> const& materials)
+{
+  auto const cells = cellsBeside(mesh, resistance.boundary);
+  auto const& facets = mesh.boundaries.at(resistance.boundary);
   NodalDampers dampers;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     auto const corners = mesh::corners(mesh, facets[i]);
     auto const normal = mesh::facetNormal(corners);
-    auto const& material = materials[cells[i]];
     const double share = mesh::facetMeasure(corners) / Dim;
-    const double across = share * material.compressionalImpedance();
-    const double along = share * material.shearImpedance();
     for (int vertex : facets[i]) {
+      std::array<double, 3> x{};
+      std::copy_n(mesh.vertices[vertex].begin(), Dim, x.begin());
+      auto const value = resistance.value(x, materials[cells[i]]);
+      requireResistance(resistance, value, x);
+      const double across = share * value.across;
+      const double along = share * value.along;
       for (auto const& [p, factor_p] : frames.terms(vertex)) {
         for (auto const& [q, factor_q] : frames.terms(vertex)) {
           if (p < mesh.num_owned) {
@@ -71,15 +93,23 @@ NodalDampers dampersOf(Mesh<Dim> const& mesh, std::string const& boundary,
 } // namespace
 
 template <int Dim>
-NodalDampers absorbingBoundary(Mesh<Dim> const& mesh, std::string const& boundary,
-                               NodalFrames const& frames, std::vector<Material> const& materials)
+NodalDampers resistanceOf(Mesh<Dim> const& mesh, BoundaryResistance const& resistance,
+                          NodalFrames const& frames, std::vector<Material> const& materials)
 {
   if constexpr (Dim == 2) {
     if (frames.components() == 1) {
-      return dampersOf<2, 1>(mesh, boundary, frames, materials);
+      return blocksOf<2, 1>(mesh, resistance, frames, materials);
     }
   }
-  return dampersOf<Dim, Dim>(mesh, boundary, frames, materials);
+  return blocksOf<Dim, Dim>(mesh, resistance, frames, materials);
+}
+
+BoundaryResistance absorbingBoundary(std::string const& boundary)
+{
+  const auto impedance = [](std::array<double, 3> const&, Material const& beside) {
+    return BoundaryResistance::Value{beside.compressionalImpedance(), beside.shearImpedance()};
+  };
+  return {boundary, BoundaryResistance::Against::velocity, impedance, true};
 }
 
 NodalDampers radiationDampers(FaultSurface const& fault, DofMap const& dofs,
@@ -170,8 +200,8 @@ RCP<const CrsMatrix> withoutZeros(RCP<const CrsMatrix> const& matrix)
   return result;
 }
 
-template NodalDampers absorbingBoundary(Mesh<2> const&, std::string const&, NodalFrames const&,
-                                        std::vector<Material> const&);
-template NodalDampers absorbingBoundary(Mesh<3> const&, std::string const&, NodalFrames const&,
-                                        std::vector<Material> const&);
+template NodalDampers resistanceOf(Mesh<2> const&, BoundaryResistance const&, NodalFrames const&,
+                                   std::vector<Material> const&);
+template NodalDampers resistanceOf(Mesh<3> const&, BoundaryResistance const&, NodalFrames const&,
+                                   std::vector<Material> const&);
 } // namespace asperity::fem

@@ -38,7 +38,8 @@ std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> cons
   const bool is_wanted =
     mayCondense(deck.sublist("TNNMG")) && problem.solver.correction == dynamics::Correction::direct;
   if (!is_wanted || problem.surface().numGlobalNodes() == 0 ||
-      !problem.discretisation.boundary.tractions.empty() || problem.model.body.cells ||
+      !problem.discretisation.boundary.tractions.empty() ||
+      !problem.discretisation.boundary.resistances.empty() || problem.model.body.cells ||
       hasGravity<Dim>(deck.sublist("Bulk")) || !boundariesMoveSteadily(problem)) {
     return nullptr;
   }

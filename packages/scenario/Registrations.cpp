@@ -7,6 +7,7 @@
 #include "friction/Registry.hpp"
 #include "io/Output.hpp"
 #include "multigrid/Smoother.hpp"
+#include "scenario/setup/conditions/BoundaryKind.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 namespace asperity::scenario
@@ -21,6 +22,7 @@ std::vector<std::string> registrations()
         dynamics::WatchRegistry::instance().registrations(),
         multigrid::SmootherRegistry::instance().registrations(),
         io::OutputRegistry::instance().registrations(),
+        BoundaryKindRegistry::instance().registrations(),
         FaultKindRegistry::instance().registrations()}) {
     all.insert(all.end(), some.begin(), some.end());
   }

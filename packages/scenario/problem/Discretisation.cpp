@@ -9,9 +9,9 @@
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/VolumetricSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
-#include "scenario/setup/conditions/TractionCondition.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <limits>
@@ -41,7 +41,7 @@ FreeSurface openBoundaries(ParameterList const& list, Mesh<Dim> const& mesh,
 {
   std::set<std::string> not_open(mesh.faults.begin(), mesh.faults.end());
   for (auto const& condition : readConditions(list)) {
-    if (condition.type->name != traction_type) {
+    if (!condition.type->is_open) {
       not_open.insert(condition.boundary);
     }
   }

@@ -1,5 +1,6 @@
 #include "scenario/problem/LoadedBody.hpp"
 
+#include "base/parallel/Agreement.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/NodalDamping.hpp"
 #include "fem/motions/RigidBodyMotions.hpp"
@@ -12,28 +13,46 @@ namespace asperity::scenario
 {
 namespace
 {
-// The viscosity of the body with its absorbing boundaries and the radiation damping of its fault.
+// A matrix of the body with the dashpots or the springs of its boundaries. Collective.
 template <int Dim>
-RCP<const CrsMatrix> dampedViscosity(SetupContext<Dim> const& context,
-                                     RCP<const CrsMatrix> viscosity)
+RCP<const CrsMatrix> withResistances(SetupContext<Dim> const& context, RCP<const CrsMatrix> matrix,
+                                     fem::BoundaryResistance::Against against)
 {
   auto const& discretisation = context.discretisation;
-  ParameterList const& bulk = context.deck.sublist("Bulk");
-  auto const& dofs = *discretisation.dofs;
-  for (auto const& name : discretisation.boundary.absorbing) {
-    ASPERITY_REQUIRE(!quasiDynamic(bulk),
+  const bool is_massless = quasiDynamic(context.deck.sublist("Bulk"));
+  for (auto const& resistance : discretisation.boundary.resistances) {
+    if (resistance.against != against) {
+      continue;
+    }
+    ASPERITY_REQUIRE(!resistance.absorbs_waves || !is_massless,
                      "Asperity / Boundary Conditions: the boundary '"
-                       << name
+                       << resistance.boundary
                        << "' is Absorbing, but a quasi-dynamic body has no waves. Choose another "
                           "Type, or Bulk / Dynamics = Inertial.");
     auto const& mesh = discretisation.mesh;
-    fem::boundaryMeasure(mesh, name, context.communicator()); // refuses one without facets
-    viscosity = fem::withDampers(*viscosity, dofs,
-                                 fem::absorbingBoundary<Dim>(mesh, name, discretisation.frames(),
-                                                             discretisation.rock.materials));
+    // Refuses one without facets.
+    fem::boundaryMeasure(mesh, resistance.boundary, context.communicator());
+    fem::NodalDampers blocks;
+    onEveryRank(context.communicator(), [&] {
+      blocks = fem::resistanceOf<Dim>(mesh, resistance, discretisation.frames(),
+                                      discretisation.rock.materials);
+    });
+    matrix = fem::withDampers(*matrix, *discretisation.dofs, blocks);
   }
+  return matrix;
+}
+
+// The viscosity of the body with the dashpots of its boundaries and the radiation damping of its
+// fault.
+template <int Dim>
+RCP<const CrsMatrix> dampedViscosity(SetupContext<Dim> const& context,
+                                     RCP<const CrsMatrix> const& undamped)
+{
+  auto const viscosity =
+    withResistances(context, undamped, fem::BoundaryResistance::Against::velocity);
   auto const& site = context.site;
-  return quasiDynamic(bulk)
+  auto const& dofs = *context.discretisation.dofs;
+  return quasiDynamic(context.deck.sublist("Bulk"))
            ? fem::withDampers(*viscosity, dofs,
                               fem::radiationDampers(*site.surface, dofs, site.radiation_damping))
            : viscosity;
@@ -62,6 +81,8 @@ LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices
   auto const& frames = discretisation.frames();
   auto const& surface = context.site.surface;
   ParameterList const& bulk = context.deck.sublist("Bulk");
+  matrices.stiffness =
+    withResistances(context, matrices.stiffness, fem::BoundaryResistance::Against::displacement);
   matrices.viscosity = fem::withoutZeros(dampedViscosity(context, matrices.viscosity));
   if (quasiDynamic(bulk)) {
     matrices.mass = fem::withoutZeros(fem::zeroLike(*matrices.mass));

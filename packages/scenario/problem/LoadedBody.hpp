@@ -16,9 +16,9 @@ struct LoadedBody
   RCP<const Vector> static_load;
 };
 
-// matrices: of the body alone. They get absorbing boundaries and the radiation damping of the
-// fault, and lose the mass of a quasi-dynamic body. InputError where the body's velocity does not
-// exist. Collective.
+// matrices: of the body alone. They get dashpots and springs of boundaries and the radiation
+// damping of the fault, and lose the mass of a quasi-dynamic body. InputError where the body's
+// velocity does not exist. Collective.
 template <int Dim>
 LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices);
 } // namespace asperity::scenario

@@ -15,8 +15,50 @@
 
 #include <Tpetra_Vector.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace asperity::scenario
 {
+namespace
+{
+// Marks the dofs that springs resist whatever the others do: those that a block does not couple
+// with others, and all dofs of a block that is positive definite.
+void markSprings(fem::NodalDampers const& springs, fem::DofMap const& dofs,
+                 std::vector<int>& resisting)
+{
+  const int components = dofs.components();
+  for (auto const& [nodes, block] : springs) {
+    if (nodes.first != nodes.second) {
+      continue;
+    }
+    // Cholesky's pivots
+    double L[3][3] = {};
+    bool is_definite = true;
+    for (int i = 0; i < components && is_definite; ++i) {
+      for (int j = 0; j <= i; ++j) {
+        double rest = block[i * components + j];
+        for (int k = 0; k < j; ++k) {
+          rest -= L[i][k] * L[j][k];
+        }
+        is_definite = is_definite && (j < i || rest > 1e-12 * block[i * components + i]);
+        L[i][j] = j < i ? rest / L[j][j] : std::sqrt(std::max(rest, 0.));
+      }
+    }
+    for (int i = 0; i < components; ++i) {
+      bool is_alone = block[i * components + i] > 0;
+      for (int j = 0; j < components; ++j) {
+        is_alone = is_alone && (i == j || std::abs(block[i * components + j]) <=
+                                            1e-12 * block[i * components + i]);
+      }
+      if (is_definite || is_alone) {
+        resisting[dofs.dof(nodes.first, i)] = 1;
+      }
+    }
+  }
+}
+} // namespace
+
 template <int Dim>
 void requireNoFreeMotion(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
                          fem::FaultSurface const* resisting_fault, std::string const& why,
@@ -31,6 +73,13 @@ void requireNoFreeMotion(Discretisation<Dim> const& discretisation, dynamics::Bo
       for (const int dof : node.dofs) {
         resisting[dof] = 1;
       }
+    }
+  }
+  for (auto const& resistance : discretisation.boundary.resistances) {
+    if (resistance.against == fem::BoundaryResistance::Against::displacement) {
+      markSprings(fem::resistanceOf<Dim>(discretisation.mesh, resistance, discretisation.frames(),
+                                         discretisation.rock.materials),
+                  *discretisation.dofs, resisting);
     }
   }
   auto const free =

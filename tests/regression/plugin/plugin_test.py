@@ -232,6 +232,38 @@ class RockWithHistory(unittest.TestCase):
             self.assertLess(abs(one - other).max(), 1e-12 * abs(one).max())
 
 
+# A block between walls that springs hold from below, under a pressure that doubles.
+BLOCK = asperity_run.SOURCE / "tests" / "verification" / "traction" / "block.xml"
+SPRINGS, PUSH, AREA = 4e5, 300.0, 2.0  # Pa/m, Pa, m
+MODULUS = 2e6 * 0.7 / 0.4  # lambda + 2 G, Pa
+ON = "Boundary Conditions/"
+
+
+class Springs(unittest.TestCase):
+    def test_hold_a_block(self):
+        """u_y = -p / k - p y / (lambda + 2 G): all that the load does is elastic."""
+        for ranks in (1, 2):
+            folder = asperity_run.run_to_end(
+                f"springs_{ranks}", BLOCK, "--plugin", PLUGIN, "--remove", f"{ON}Pull/Traction X",
+                *runs.settings({f"{ON}Base/Type": "Elastic Foundation",
+                                f"{ON}Base/Normal Stiffness": SPRINGS,
+                                f"{ON}Pull/Type": "Sliding Wall",
+                                f"{ON}Push/Boundary": "top",
+                                f"{ON}Push/Type": "Prescribed Traction",
+                                f"{ON}Push/Pressure": f"{PUSH} * (1 + t)"}), ranks=ranks)
+            volume = asperity_run.series(folder / "volume.h5")
+            y = volume["geometry/coordinates"][:, 1]
+            for time, u in zip(volume["time"], volume["fields/displacement"]):
+                expected = -PUSH * (1 + time) * (1 / SPRINGS + y / MODULUS)
+                self.assertLess(abs(u[:, 1] - expected).max(), 1e-9 * abs(expected).max())
+                self.assertLess(abs(u[:, 0]).max(), 1e-9 * abs(expected).max())
+            first = 0.5 * AREA * PUSH ** 2 * (1 / SPRINGS + 1 / MODULUS)
+            last = asperity_run.table(folder / "steps.csv")[-1]
+            self.assertAlmostEqual(last["elastic_energy"] / (4 * first), 1, delta=1e-9)
+            self.assertAlmostEqual(last["load_work"] / (3 * first), 1, delta=1e-9)
+            self.assertLess(abs(last["energy_defect"]), 1e-9 * first)
+
+
 class Parameters(unittest.TestCase):
     def assert_refused(self, arguments, *pieces):
         result = asperity_run.run(*arguments)
@@ -244,7 +276,7 @@ class Parameters(unittest.TestCase):
             for piece in ("with Law = Viscous", "Viscous Slip Rate", "with State Evolution = Wear",
                           "Wear Distance", "with Law = Standard Linear Solid",
                           "Relaxing Share", "Film on Rock", "Draining Pressure", "Growing Steps",
-                          "Steps of a Size", "Mean Slip",
+                          "Steps of a Size", "Mean Slip", "Normal Stiffness",
                           "at which the coefficient of friction"):
                 self.assertTrue(piece in text, piece)
         self.assertFalse("Viscous Slip" in call(asperity_run.PROGRAM, "--print-parameters"))

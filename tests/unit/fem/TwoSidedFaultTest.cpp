@@ -259,9 +259,9 @@ TEST(TwoSidedFault, LeavesDashpotsOnBothSides)
   auto const materials = twoMaterials(body.mesh);
   auto const matrices = assembleBody<2>(body.mesh, body.dofs, body.constraints.frames(), materials);
   auto const zero = zeroLike(*matrices.mass);
-  auto const damped =
-    withDampers(*zero, body.dofs,
-                absorbingBoundary<2>(body.mesh, "right", body.constraints.frames(), materials));
+  auto const damped = withDampers(
+    *zero, body.dofs,
+    resistanceOf<2>(body.mesh, absorbingBoundary("right"), body.constraints.frames(), materials));
   const auto x = unknowns(body, [&](int vertex) {
     bool above = body.mesh.vertices[vertex][1] > 1 + off;
     for (auto const& split : body.mesh.splits) {

@@ -226,7 +226,10 @@ TEST(BoundarySetup, CollectsAbsorbingBoundaries)
 {
   const auto result = makeBoundaryConditions<2>(
     conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
-  EXPECT_EQ(result.absorbing, (std::vector<std::string>{"left", "top"}));
+  ASSERT_EQ(result.resistances.size(), 2U);
+  EXPECT_EQ(result.resistances[0].boundary, "left");
+  EXPECT_EQ(result.resistances[1].boundary, "top");
+  EXPECT_TRUE(result.resistances[0].absorbs_waves);
   EXPECT_EQ(result.velocities.size(), 1U);
 }
 

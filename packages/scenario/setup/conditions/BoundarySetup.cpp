@@ -2,8 +2,8 @@
 
 #include "base/Text.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/conditions/BoundaryKind.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
-#include "scenario/setup/conditions/TractionCondition.hpp"
 
 #include <algorithm>
 
@@ -95,14 +95,6 @@ RCP<const ParameterList> boundaryParameters()
       "length; it points along +x if they are left out, and an antiplane body moves along z "
       "alone. Prescribed Slip Rate, and faults with a Slip Rate or a Plate Rate, in three "
       "dimensions: the slip points along the projection of this vector onto the boundary.")
-    .field(
-      "Velocity", optional, "m/s", Range::any(),
-      "Prescribed Velocity: says how fast the boundary moves in that direction; it is at rest if "
-      "this is left out.")
-    .withoutDatasets()
-    .real("Ramp Duration", optional, "s", Range::atLeast(0),
-          "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
-          "without this entry there is no ramp.")
     .field("Plate Rate", optional, "m/s", Range::any(),
            "Faults: says how fast the plates slide past each other along the fault (back slip). "
            "Friction and all outputs of slip include this rate in addition to the motion of the "
@@ -114,7 +106,10 @@ RCP<const ParameterList> boundaryParameters()
            "slips; in two dimensions along the tangent of the fault's frame, which points along "
            "+x on a fault below the body. A fault with a slip rate has no friction.")
     .withoutDatasets();
-  declareTraction(one_condition);
+  auto const& registry = BoundaryKindRegistry::instance();
+  for (auto const& name : registry.names()) {
+    registry.at(name).declare(one_condition);
+  }
   auto const one = one_condition.list();
   return Declare()
     .sublist("<condition>", one, "Describes one boundary condition; choose any name.")

@@ -2,6 +2,7 @@
 
 #include "fem/BoundaryLoad.hpp"
 #include "fem/FaultSurface.hpp"
+#include "fem/NodalDamping.hpp"
 #include "fem/constraints/Constraints.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/setup/conditions/PlateRate.hpp"
@@ -27,7 +28,7 @@ struct BoundaryConditions
   std::string surface;                // the first free surface, or else the first boundary with a
                                       // traction; empty if there is none
   fem::Boundaries free_surfaces;      // all
-  std::vector<std::string> absorbing; // boundaries with dashpots
+  std::vector<fem::BoundaryResistance> resistances; // dashpots and springs
   std::vector<fem::VelocityCondition<Dim>> velocities;
   std::vector<fem::BoundaryTraction> tractions;
   double ramp_end = 0; // end of the last loading ramp [s]

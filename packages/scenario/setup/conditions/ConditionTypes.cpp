@@ -4,8 +4,9 @@
 #include "base/Text.hpp"
 #include "parameters/fields/Field.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/conditions/BoundaryKind.hpp"
+#include "scenario/setup/conditions/ConditionEntries.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
-#include "scenario/setup/conditions/TractionCondition.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,67 +16,6 @@ namespace asperity::scenario
 {
 namespace
 {
-// Smooth from 0 at t = 0 to 1 at t = duration (thesis §5.2).
-double ramp(double t, double duration)
-{
-  return t >= duration ? 1 : (1 - std::cos(M_PI * t / duration)) / 2;
-}
-
-std::vector<double> axis(int components, int which)
-{
-  std::vector<double> direction(components, 0.);
-  direction[which] = 1;
-  return direction;
-}
-
-void refuseDirection(BoundaryCondition const& condition, char const* why)
-{
-  ASPERITY_REQUIRE(!isGiven(condition.list, "Direction"), joinPath(condition.name, "Direction")
-                                                            << " has no effect: " << why
-                                                            << ". Remove it.");
-}
-
-std::vector<double> directionOf(BoundaryCondition const& condition, int components)
-{
-  if (components == 1) {
-    refuseDirection(condition, "an antiplane body moves along z alone");
-    return {1.};
-  }
-  if (!isGiven(condition.list, "Direction")) {
-    return axis(components, 0);
-  }
-  auto const given = condition.list.get<Teuchos::Array<double>>("Direction").toVector();
-  double square = 0;
-  for (double component : given) {
-    square += component * component;
-  }
-  ASPERITY_REQUIRE(static_cast<int>(given.size()) == components && square > 0,
-                   joinPath(condition.name, "Direction")
-                     << " needs "
-                     << (components == 3
-                           ? "three numbers, not all zero: where the velocity points, "
-                             "in x, y and z."
-                           : "two numbers, not both zero: where the velocity points, "
-                             "in x and y."));
-  return given;
-}
-
-double rampDuration(ParameterList const& list)
-{
-  return isGiven(list, "Ramp Duration") ? list.get<double>("Ramp Duration") : 0;
-}
-
-std::shared_ptr<const Field> fieldOf(BoundaryCondition const& condition, std::string const& entry)
-{
-  return std::make_shared<Field>(condition.list, entry, condition.name, std::vector<std::string>{});
-}
-
-std::shared_ptr<const Field> velocityField(BoundaryCondition const& condition)
-{
-  return isGiven(condition.list, "Velocity") ? fieldOf(condition, "Velocity")
-                                             : std::make_shared<Field>(Field::constant(0));
-}
-
 // One fault, or several inside the body.
 template <int Dim>
 void fault(BoundaryCondition const& condition, ConditionContext const& setting,
@@ -139,59 +79,6 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
                      << ", which has a Plate Rate: its continuation slips in the same direction. "
                         "Give both the same.");
 }
-
-template <int Dim>
-void prescribedVelocity(BoundaryCondition const& condition, ConditionContext const& setting,
-                        BoundaryConditions<Dim>& result)
-{
-  auto const field = velocityField(condition);
-  const double duration = rampDuration(condition.list);
-  const fem::VelocityFunction<Dim> velocity(
-    [field, duration](Point<Dim> const& x, double t) {
-      return ramp(t, duration) * (*field)(inSpace<Dim>(x), t, 0);
-    },
-    duration > 0 || field->dependsOnTime());
-  auto const direction = directionOf(condition, setting.components);
-  result.velocities.push_back(
-    {condition.name, condition.boundary, fem::PrescribedVelocity<Dim>{direction, velocity}});
-  result.ramp_end = std::max(result.ramp_end, duration);
-}
-
-template <int Dim>
-void absorbing(BoundaryCondition const& condition, ConditionContext const&,
-               BoundaryConditions<Dim>& result)
-{
-  result.absorbing.push_back(condition.boundary);
-}
-
-template <int Dim>
-void slidingWall(BoundaryCondition const& condition, ConditionContext const& setting,
-                 BoundaryConditions<Dim>& result)
-{
-  if (setting.components > 1) { // antiplane motion is along every boundary
-    result.velocities.push_back({condition.name, condition.boundary, fem::SlidingWall{}});
-  }
-}
-
-template <int Dim>
-void fixed(BoundaryCondition const& condition, ConditionContext const& setting,
-           BoundaryConditions<Dim>& result)
-{
-  for (int c = 0; c < setting.components; ++c) {
-    result.velocities.push_back(
-      {condition.name, condition.boundary, fem::AtRestAlong{axis(setting.components, c)}});
-  }
-}
-
-template <int Dim>
-void freeSurface(BoundaryCondition const& condition, ConditionContext const&,
-                 BoundaryConditions<Dim>& result)
-{
-  if (result.surface.empty()) {
-    result.surface = condition.boundary;
-  }
-  result.free_surfaces.push_back(condition.boundary);
-}
 } // namespace
 
 // v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
@@ -203,7 +90,7 @@ void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext cons
   ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
                    joinPath(condition.name, "Slip Rate")
                      << " is missing: the rate at which the boundary slips, 0 if it is locked.");
-  auto const rate = fieldOf(condition, "Slip Rate");
+  auto const rate = fieldIfGiven(condition, "Slip Rate");
   auto const velocity = withoutPlates(rate, result);
   if (setting.components < 3) {
     refuseDirection(condition, "in two dimensions a fault slips along its tangent");
@@ -230,6 +117,21 @@ template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const
 
 namespace
 {
+ConditionType typeOf(std::string const& name, BoundaryKind const& kind)
+{
+  const auto add = [&kind](auto const& condition, auto const& context, auto& result) {
+    kind.add(condition, context, result);
+  };
+  return {name,
+          kind.meaning(),
+          kind.entries(),
+          ConditionPlace::elsewhere,
+          kind.decidesOn(),
+          {ConditionMaker<2>(add), ConditionMaker<3>(add)},
+          {},
+          kind.isOpen()};
+}
+
 // A type for each kind of fault, then the types for other boundaries.
 std::vector<ConditionType> makeTypes()
 {
@@ -244,48 +146,22 @@ std::vector<ConditionType> makeTypes()
                      {fault<2>, fault<3>},
                      kind.other_side});
   }
-  const std::vector<ConditionType> others = {
+  types.push_back(
     {"Prescribed Slip Rate",
      "the boundary continues the fault and slips at that rate; where no boundary is a fault of "
      "another Type, it is a fault itself, inside the mesh.",
      {"Direction", "Slip Rate"},
      ConditionPlace::continuation,
      DecidesOn::traction,
-     {prescribeSlipRate<2>, prescribeSlipRate<3>}},
-    {"Prescribed Velocity",
-     "the velocity in one direction is prescribed, and free at right angles to it.",
-     {"Direction", "Velocity", "Ramp Duration"},
-     ConditionPlace::elsewhere,
-     DecidesOn::direction,
-     {prescribedVelocity<2>, prescribedVelocity<3>}},
-    {"Absorbing",
-     "dashpots take up the waves.",
-     {},
-     ConditionPlace::elsewhere,
-     DecidesOn::traction,
-     {absorbing<2>, absorbing<3>}},
-    {"Sliding Wall",
-     "the body slides along the boundary (v . n = 0).",
-     {},
-     ConditionPlace::elsewhere,
-     DecidesOn::direction,
-     {slidingWall<2>, slidingWall<3>}},
-    {"Fixed",
-     "the body is at rest (v = 0), although slip would move it a little: displacements near the "
-     "boundary are too small, so keep it far away.",
-     {},
-     ConditionPlace::elsewhere,
-     DecidesOn::rest,
-     {fixed<2>, fixed<3>}},
-    {"Free Surface",
-     "there is no traction, which is the default; name it so that its motion can be written and up "
-     "follows from it.",
-     {},
-     ConditionPlace::elsewhere,
-     DecidesOn::freedom,
-     {freeSurface<2>, freeSurface<3>}}};
-  types.insert(types.end(), others.begin(), others.end());
-  types.push_back(tractionType());
+     {prescribeSlipRate<2>, prescribeSlipRate<3>}});
+  for (auto const& name : BoundaryKindRegistry::instance().names()) {
+    ASPERITY_REQUIRE(
+      std::none_of(types.begin(), types.end(), [&](auto const& type) { return type.name == name; }),
+      "The boundary condition '" << name
+                                 << "' of a plugin has the name of another Type. "
+                                    "Register it under a name of its own.");
+    types.push_back(typeOf(name, BoundaryKindRegistry::instance().at(name)));
+  }
   return types;
 }
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 
+#include <functional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -37,8 +38,8 @@ enum class DecidesOn
 
 // Adds a condition of the deck to the result.
 template <int Dim>
-using ConditionMaker = void (*)(BoundaryCondition const&, ConditionContext const&,
-                                BoundaryConditions<Dim>&);
+using ConditionMaker =
+  std::function<void(BoundaryCondition const&, ConditionContext const&, BoundaryConditions<Dim>&)>;
 
 // A value of the entry `Type` of a boundary condition.
 struct ConditionType
@@ -50,9 +51,11 @@ struct ConditionType
   DecidesOn decides_on;
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;
   fem::OtherSide other_side = {}; // of a fault
+  bool is_open = false;           // the body moves freely there, but for a load
 };
 
-// All types that a deck may choose from, each once: the registered kinds of fault and all others.
+// All types that a deck may choose from, each once: the registered kinds of fault (FaultKind.hpp),
+// their continuation, and the registered conditions on other boundaries (BoundaryKind.hpp).
 std::vector<ConditionType> const& conditionTypes();
 ConditionType const& conditionType(std::string const& name);
 
