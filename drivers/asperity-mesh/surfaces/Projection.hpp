@@ -7,8 +7,8 @@
 
 namespace asperity::geometry
 {
-// From longitude and latitude (WGS 84) [degrees] to x to the east and y to the north [m] in a
-// plane, and back, by the PROJ library.
+// From longitude and latitude (WGS 84) [degrees] to x to the east and y to the north [m] of a plane
+// and back, by the PROJ library.
 class Projection
 {
 public:

@@ -80,6 +80,7 @@ class QuickStart(unittest.TestCase):
         _, calls = self.run_with("test")
         more = set(self.installs(calls)) - set(for_run)
         self.assertEqual(more, {"clang-format-14", "libgtest-dev", "ccache", "python3-pip",
+                                "libproj-dev",
                                 "python3-venv", "python3-setuptools", "python3-wheel",
                                 "python3-sphinx", "python3-myst-parser", "python3-breathe", "furo",
                                 "doxygen", "chromium"})

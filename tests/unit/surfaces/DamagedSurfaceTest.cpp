@@ -123,3 +123,51 @@ TEST_F(DamagedSurface, Others)
   std::filesystem::create_directory(file("folder.stl"));
   test::expectRefusal([&] { readSurface(file("folder.stl"), 1); }, {"is a folder"});
 }
+
+// Each byte in turn by others, and each length: a surface or a message, but nothing else.
+TEST_F(DamagedSurface, InEveryByte)
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  std::string binary_ply = ply_begin;
+  binary_ply.replace(binary_ply.find("ascii"), 5, "binary_little_endian");
+  std::string binary_stl = std::string(80, ' ') + bytes<std::uint32_t>(1) + std::string(12, '\0');
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) {
+    binary_ply += bytes(x);
+    binary_stl += bytes(x);
+  }
+  binary_ply += bytes<std::uint8_t>(3);
+  for (const std::int32_t vertex : {0, 1, 2}) {
+    binary_ply += bytes(vertex);
+  }
+  const std::vector<std::pair<std::string, std::string>> files = {
+    {"a.ts", gocad_begin + "TRGL 1 2 3\nEND\n"},
+    {"a.off", "OFF\n3 1 0\n" + points + "3 0 1 2\n"},
+    {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+    {"a.stl", "solid a\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+              "endfacet\nendsolid\n"},
+    {"b.stl", binary_stl + std::string(2, '\0')},
+    {"a.ply", ply_begin + points + "3 0 1 2\n"},
+    {"b.ply", binary_ply}};
+  const auto read = [&](std::string const& name, std::string const& content) {
+    try {
+      readSurface(write(name, content), 1, "*", [](std::string const&) {});
+      return true;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+      return false;
+    }
+  };
+  for (auto const& [name, content] : files) {
+    EXPECT_TRUE(read(name, content)) << name;
+    int num_refused = 0;
+    for (std::size_t i = 0; i < content.size(); ++i) {
+      num_refused += read(name, content.substr(0, i)) ? 0 : 1;
+      for (const char other : {'\0', '\xff', '9', '-', '\n'}) {
+        std::string damaged = content;
+        damaged[i] = other;
+        num_refused += read(name, damaged) ? 0 : 1;
+      }
+    }
+    EXPECT_GT(num_refused, static_cast<int>(content.size())) << name;
+  }
+}

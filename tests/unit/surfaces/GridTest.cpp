@@ -59,6 +59,8 @@ TEST(Grid, HasLongitudesOfBothKinds)
   const auto west = gridOf({-130, -120}, {40, 50}, true);
   EXPECT_NEAR(west(234, 45), f(-126, 45), 1e-9);
   test::expectRefusal([&] { west(20, 45); }, {"x = 20"});
+  EXPECT_NEAR(west(-131, 45, Outside::clamp), f(-130, 45), 1e-9);
+  EXPECT_NEAR(west(241, 45, Outside::clamp), f(-120, 45), 1e-9);
   test::expectRefusal([&] { gridOf({-130, -120}, {40, 50})(234, 45); }, {"x = 234"});
 }
 
@@ -98,6 +100,11 @@ TEST_F(GridFiles, Esri)
   EXPECT_EQ(corner.grid(125, 205), 23);
   EXPECT_TRUE(std::isnan(corner.grid.z(1, 0)));
   EXPECT_EQ(corner.horizontal_unit, "");
+  const auto gap =
+    readGrid(write("c.asc", "ncols 2\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 1\n"
+                            "NODATA_value nan\nnan 1\n2 3\n"));
+  EXPECT_TRUE(std::isnan(gap.grid.z(0, 1)));
+  EXPECT_EQ(gap.grid(1, 0.5), 2);
   const auto centre = readGrid(
     write("b.asc", "NCOLS 3\nNROWS 2\nXLLCENTER 100\nYLLCENTER 200\nDX 10\nDY 5\n" + values));
   EXPECT_EQ(centre.grid(110, 205), 12);

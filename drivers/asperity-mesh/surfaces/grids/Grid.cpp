@@ -81,8 +81,11 @@ double Grid::operator()(double x, double y, Outside outside) const
 {
   double turned = x;
   if (is_periodic_) {
+    constexpr double full_turn = 360;
     const double slack = 1e-9 * (x_.back() - x_.front());
-    turned = x - 360 * std::floor((x - (x_.front() - slack)) / 360);
+    turned = x - full_turn * std::floor((x - (x_.front() - slack)) / full_turn);
+    const double beyond = turned - x_.back(), before = x_.front() - (turned - full_turn);
+    turned = beyond > before ? turned - full_turn : turned; // nearer to the other edge
   }
   const Place in_x = place(x_, turned, "x", outside), in_y = place(y_, y, "y", outside);
   double value = 0;

@@ -23,6 +23,11 @@ std::string lowerCase(std::string_view word)
   return text;
 }
 
+double numberOrNan(TextFile const& file, std::size_t i)
+{
+  return lowerCase(file.word(i)) == "nan" ? no_value : file.number(i);
+}
+
 // Header "ncols 3", "nrows 2", "xllcorner 0", "yllcorner 0", "cellsize 10", "NODATA_value -9999",
 // then the values row by row, the northern row first, cells in the middle of which they stand.
 class EsriReader
@@ -42,7 +47,7 @@ public:
     z.reserve(num_x * num_y);
     do {
       for (std::size_t i = 0; i < file_.words().size(); ++i) {
-        const double value = file_.number(i);
+        const double value = numberOrNan(file_, i);
         z.push_back(has("nodata_value") && value == header_.at("nodata_value") ? no_value : value);
       }
     } while (z.size() < num_x * num_y && file_.next());
@@ -62,7 +67,7 @@ private:
     while (file_.next() && std::isalpha(static_cast<unsigned char>(file_.word(0)[0])) != 0 &&
            lowerCase(file_.word(0)) != "nan") {
       file_.require(2, "ncols 100");
-      header_[lowerCase(file_.word(0))] = file_.number(1);
+      header_[lowerCase(file_.word(0))] = numberOrNan(file_, 1);
     }
   }
 
@@ -140,8 +145,7 @@ GridData readPointGrid(std::string const& file_name, std::string const& /*variab
     file.require(3, "x y z");
     x.push_back(file.number(0));
     y.push_back(file.number(1));
-    const auto word = lowerCase(file.word(2));
-    z.push_back(word == "nan" ? no_value : file.number(2));
+    z.push_back(numberOrNan(file, 2));
   }
   ASPERITY_REQUIRE(!x.empty(), file.where() << " has no point.");
   const auto xs = distinct(x), ys = distinct(y);
