@@ -1,7 +1,7 @@
 // A process on the fault of your own: a fluid whose pressure drains, dp/dt = -p / t_d, and lowers
 // the normal stress that friction takes. dynamics/FaultProcess.hpp says what a process has to have.
 #include "dynamics/FaultProcess.hpp"
-#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 #include "parameters/Parameters.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace asperity::dynamics;
 using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 char const* const field_name = "pressure";
 
-class Pressure : public FaultUnknown
+class Pressure : public StepUnknown
 {
 public:
   Pressure(double drainage_time, int num_nodes)
@@ -25,11 +25,11 @@ public:
     Kokkos::deep_copy(scale_, 1e-6);
   }
 
-  NodeView const& of(State const& state) const override { return state.at(field_name); }
-  int respond(FaultResponse const& to, NodeView const& image) override
+  NodeView of(State const& state) const override { return state.at(field_name); }
+  int respond(StepIterate const& step, NodeView const& image) override
   {
-    const ConstNodeView before = of(to.from);
-    const double rest = std::exp(-to.tau / drainage_time_);
+    const ConstNodeView before = of(step.from);
+    const double rest = std::exp(-step.tau / drainage_time_);
     Kokkos::parallel_for(
       "drain", Nodes(0, image.extent_int(0)),
       KOKKOS_LAMBDA(int node) { image(node) = rest * before(node); });
@@ -74,7 +74,7 @@ public:
     Kokkos::deep_copy(p, host);
     return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "pressure", "Pa", is_guessed}), p}};
   }
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override { return {unknown_}; }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
     const ConstNodeView p = state.at(field_name);

@@ -13,7 +13,7 @@
 
 namespace asperity::dynamics
 {
-class FaultUnknown;
+class StepUnknown;
 
 // What a process computes from its fields for outputs: values(state) gives (num_nodes, components).
 struct ObservedField
@@ -33,9 +33,10 @@ public:
 
   // Its fields at the start of a run, which has all other fields but alpha; outputs know them by
   // their names. A field that is an unknown is guessed (FieldInfo::is_guessed); the others follow
-  // when a step is complete (FaultUnknown::complete).
+  // when a step is complete (StepUnknown::complete).
   virtual std::vector<State::Added> fields(State const& start) const = 0;
-  virtual std::vector<std::shared_ptr<FaultUnknown>> unknowns() const = 0;
+  // What each step has to find of them; a KnownField is known when the step begins.
+  virtual std::vector<std::shared_ptr<StepUnknown>> unknowns() const = 0;
   // Changes alpha and sigma_n(num_nodes), those of the state or what other processes have made of
   // them, to what friction takes. sigma_n stays >= 0.
   virtual void act(State const& state, NodeView const& alpha, NodeView const& sigma_n) const = 0;
@@ -47,13 +48,6 @@ public:
 
   // What alpha is for this process (friction/LawProperties.hpp); null: it works with any.
   virtual char const* stateVariable() const { return nullptr; }
-
-  // Begins a step of tau [s] at the time t [s]: sets the fields of `to` that do not depend on the
-  // velocity. Throws SolveError if that fails. Collective.
-  virtual void begin(State const& from, double t, double tau, State const& to) const
-  {
-    static_cast<void>(from), static_cast<void>(t), static_cast<void>(tau), static_cast<void>(to);
-  }
 };
 
 // An entry of a deck that may change in time.

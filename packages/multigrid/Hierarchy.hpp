@@ -36,7 +36,7 @@ struct Level
   IndexView ids;     // (num_rows)
 
   // Whether a sweep takes values from before it, from other chunks or ranks.
-  bool hasJacobiPart() const { return graph.ghosts || schedule.sharesSweeps(); }
+  bool hasJacobiPart() const { return graph.ghosts.share || schedule.sharesSweeps(); }
 };
 
 // The rows of the coarsest level in a matrix of all ranks.

@@ -27,15 +27,14 @@ struct GraphSizes
   }
 };
 
-// Which numbers ranks send each other, and how. Numbers are packed in the order of `sent` and
-// `received`.
-struct GhostMessages
+// How ranks exchange the values of columns that others have copies of. Both take vectors on the
+// columns with ghosts, are null on one rank, and are collective.
+struct GhostExchange
 {
-  std::vector<int> sent;     // owned scalar columns; one may go to several ranks
-  std::vector<int> received; // ghosts, counted from the first one
-  // From owned values to ghosts, and back. Null on one rank. Collective.
-  std::function<void(float const* sent, float* received)> share;
-  std::function<void(float const* received, float* sent)> gather;
+  std::function<void(NodeVector const& x)> share;  // copies owned values to ghosts
+  std::function<void(NodeVector const& x)> gather; // adds what ghosts have to their owners' values
+  // The same where owned scalar columns have got these numbers. Not collective.
+  std::function<GhostExchange(std::vector<int> const& number)> renumbered;
 };
 
 // Which nodes a matrix couples, on this rank; where it is made.
@@ -43,38 +42,18 @@ struct HostGraph : GraphSizes
 {
   std::vector<int> first;   // (num_rows + 1) where the couplings of a row begin
   std::vector<int> columns; // (num couplings) local nodes, ascending within a row
-  GhostMessages ghosts;     // of the columns
+  GhostExchange ghosts;     // of the columns
 
   int numCouplings() const { return first.back(); }
   // The coupling of a row with a column, or -1.
   int find(int row, int column) const;
 };
 
-// Exchanges the values that other ranks have copies of.
-class Ghosts
-{
-public:
-  // first: the first scalar ghost.
-  Ghosts(GhostMessages const& messages, std::size_t first);
-
-  void share(NodeVector const& x) const;  // copies owned values to ghosts
-  void gather(NodeVector const& x) const; // adds what ghosts have to their owners' values
-
-private:
-  GhostMessages messages_; // without their lists
-  std::size_t first_;
-  IndexView sent_, received_;
-  // Each owned value that is sent, once, and its places in `sent`: (num + 1) where they begin.
-  IndexView owners_, first_place_, places_;
-  NodeVector sent_values_, received_values_;
-  HostBlocks sent_on_host_, received_on_host_; // what MPI takes; the same where kernels run there
-};
-
 // The same where kernels run.
 struct DeviceGraph : GraphSizes
 {
-  IndexView columns;                    // (num couplings)
-  std::shared_ptr<const Ghosts> ghosts; // null on one rank
+  IndexView columns;    // (num couplings)
+  GhostExchange ghosts; // of the columns
 
   DeviceGraph() = default;
   DeviceGraph(HostGraph const& host, std::vector<int> const& columns_in_order);

@@ -161,9 +161,14 @@ Renumbered renumbered(HostGraph const& graph, std::vector<int> const& row_of_nod
     }
     result.graph.first[row + 1] = next;
   }
-  for (int& sent : result.graph.ghosts.sent) {
+  if (graph.ghosts.renumbered) {
     const int size = graph.column_size;
-    sent = numberOf(column_of_node, sent / size) * size + sent % size;
+    std::vector<int> numbers(static_cast<std::size_t>(graph.num_owned) * size);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      const int column = static_cast<int>(k);
+      numbers[k] = numberOf(column_of_node, column / size) * size + column % size;
+    }
+    result.graph.ghosts = graph.ghosts.renumbered(numbers);
   }
   return result;
 }

@@ -1,76 +1,25 @@
 #include "tnnmg/FaultColumns.hpp"
 
 #include "portability/Renamed.hpp"
-#include "tnnmg/OrderedSums.hpp"
 
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
-
-#include <string>
 
 namespace asperity::tnnmg
 {
 namespace
 {
-const std::string label_pack = "asperity::tnnmg::packColumns";
-const std::string label_unpack = "asperity::tnnmg::unpackColumns";
-
-template <class Values>
-void pack(IndexView const& places, Values const& from, NodeView const& to)
+NodeView valuesOf(Vector& x)
 {
-  Kokkos::parallel_for(
-    label_pack, RangePolicy(0, places.extent(0)),
-    KOKKOS_LAMBDA(int i) { to(i) = from(places(i), 0); });
+  auto const view = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  return NodeView(view.data(), view.extent(0));
 }
 
-template <class Values>
-void unpack(NodeView const& from, IndexView const& places, Values const& to)
+ConstNodeView valuesOf(Vector const& x)
 {
-  Kokkos::parallel_for(
-    label_unpack, RangePolicy(0, places.extent(0)),
-    KOKKOS_LAMBDA(int i) { to(places(i), 0) = from(i); });
-}
-
-// Several ranks may have a ghost of the same place, so that places may repeat.
-template <class Values>
-void subtract(NodeView const& from, IndexView const& places, Values const& to)
-{
-  detail::addInOrder(
-    places.extent_int(0),
-    KOKKOS_LAMBDA(int i) { Kokkos::atomic_add(&to(places(i), 0), -from(i)); });
-}
-
-// Copies values to the host, exchanges them between the ranks, and copies the result back.
-template <class Exchange>
-void overHost(NodeView const& from, NodeView const& to, Exchange const& exchange)
-{
-  auto const sent = toHost(from);
-  auto const received = Kokkos::create_mirror_view(to);
-  exchange(sent.data(), received.data());
-  Kokkos::deep_copy(to, received);
+  auto const view = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  return ConstNodeView(view.data(), view.extent(0));
 }
 } // namespace
-
-FaultColumns::Part::Part(Halo const& of, int num_owned)
-    : halo(of)
-    , sent(toDevice(of.sent(), "asperity::tnnmg::sentColumns"))
-    , sent_values("asperity::tnnmg::sentValues", of.sent().size())
-    , received_values("asperity::tnnmg::receivedValues", of.received().size())
-{
-  auto places = of.received();
-  for (int& place : places) {
-    place += num_owned;
-  }
-  received = toDevice(places, "asperity::tnnmg::receivedColumns");
-}
-
-void FaultColumns::Part::share(Vector& columns) const
-{
-  pack(sent, columns.getLocalViewDevice(Tpetra::Access::ReadOnly), sent_values);
-  overHost(sent_values, received_values,
-           [&](double const* from, double* to) { halo.share(from, to); });
-  unpack(received_values, received, columns.getLocalViewDevice(Tpetra::Access::ReadWrite));
-}
 
 FaultColumns::FaultColumns(CrsMatrix const& Z, NonlinearNodes const& nodes)
 {
@@ -98,8 +47,8 @@ FaultColumns::FaultColumns(CrsMatrix const& Z, NonlinearNodes const& nodes)
       }
     }
   }
-  const Halo touched = Halo(owned, ghosts).withGhosts(is_touched);
-  all_ = Part(touched, num_owned);
+  body_ = GhostExchange(owned, ghosts);
+  touched_ = body_.withGhosts(is_touched);
   for (auto const& colour : nodes.colours) {
     std::vector<char> is_of_colour(num_owned, 0);
     auto const of_colour = toHost(colour);
@@ -108,32 +57,23 @@ FaultColumns::FaultColumns(CrsMatrix const& Z, NonlinearNodes const& nodes)
         is_of_colour[dofs(of_colour(i), k)] = 1;
       }
     }
-    colours_.emplace_back(touched.withOwned(is_of_colour), num_owned);
+    colours_.push_back(touched_.withOwned(is_of_colour));
   }
 }
 
-void FaultColumns::share(Vector& columns) const
-{
-  if (!colours_.empty()) {
-    all_.share(columns);
-  }
-}
+void FaultColumns::shareBody(Vector& columns) const { body_.share<double>(valuesOf(columns)); }
+
+void FaultColumns::share(Vector& columns) const { touched_.share<double>(valuesOf(columns)); }
 
 void FaultColumns::shareColour(std::size_t colour, Vector& columns) const
 {
   if (!colours_.empty()) {
-    colours_[colour].share(columns);
+    colours_[colour].share<double>(valuesOf(columns));
   }
 }
 
 void FaultColumns::subtractGhosts(Vector const& columns, Vector& r) const
 {
-  if (colours_.empty()) {
-    return;
-  }
-  pack(all_.received, columns.getLocalViewDevice(Tpetra::Access::ReadOnly), all_.received_values);
-  overHost(all_.received_values, all_.sent_values,
-           [&](double const* from, double* to) { all_.halo.gather(from, to); });
-  subtract(all_.sent_values, all_.sent, r.getLocalViewDevice(Tpetra::Access::ReadWrite));
+  touched_.gather<double>(valuesOf(columns), -1, valuesOf(r));
 }
 } // namespace asperity::tnnmg

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/Halo.hpp"
+#include "base/parallel/GhostExchange.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
@@ -10,35 +10,24 @@
 
 namespace asperity::tnnmg
 {
-// Exchanges between ranks what smoothing of the nonlinear nodes needs of vectors on Z's column map:
-// the ghosts that the rows of these nodes touch, all of them or those of one colour. It does
-// nothing on one rank.
+// Exchanges between ranks what products with Z and smoothing of the nonlinear nodes need of vectors
+// on Z's column map. It does nothing on one rank.
 class FaultColumns
 {
 public:
   FaultColumns(CrsMatrix const& Z, NonlinearNodes const& nodes); // collective
 
-  // Sends owned values to the ghosts that the nonlinear nodes' rows touch: all, or those of the
-  // nodes of one colour.
+  // Sends owned values to ghosts: all of them, those that the nonlinear nodes' rows touch, or those
+  // of the nodes of one colour.
+  void shareBody(Vector& columns) const;
   void share(Vector& columns) const;
   void shareColour(std::size_t colour, Vector& columns) const;
-  // Subtracts the values of the ghosts from r on the ranks that own them.
+  // Subtracts the values of the ghosts that the nonlinear nodes' rows touch from r on the ranks
+  // that own them.
   void subtractGhosts(Vector const& columns, Vector& r) const;
 
 private:
-  // A halo with its places on the device and its buffers.
-  struct Part
-  {
-    Part() = default;
-    Part(Halo const& of, int num_owned);
-    void share(Vector& columns) const;
-
-    Halo halo;
-    IndexView sent, received; // places in the column map
-    NodeView sent_values, received_values;
-  };
-
-  Part all_;
-  std::vector<Part> colours_;
+  GhostExchange body_, touched_;
+  std::vector<GhostExchange> colours_; // none on one rank
 };
 } // namespace asperity::tnnmg

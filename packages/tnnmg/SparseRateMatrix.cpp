@@ -109,11 +109,17 @@ SparseRateMatrix::SparseRateMatrix(RCP<const CrsMatrix> Z, NonlinearNodes const&
 
 void SparseRateMatrix::apply(Vector const& x, Vector& y) const
 {
-  auto const importer = Z_->getCrsGraph()->getImporter();
-  if (!importer.is_null()) {
-    work_->doImport(x, *importer, Tpetra::INSERT);
+  if (Z_->getCrsGraph()->getImporter().is_null()) {
+    return multiply({{*Z_, x, y}});
   }
-  multiply({{*Z_, importer.is_null() ? x : *work_, y}});
+  {
+    auto const from = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
+    auto const to = work_->getLocalViewDevice(Tpetra::Access::OverwriteAll);
+    Kokkos::deep_copy(Kokkos::subview(to, std::make_pair(std::size_t(0), from.extent(0)), 0),
+                      Kokkos::subview(from, Kokkos::ALL, 0));
+  }
+  exchange_.shareBody(*work_);
+  multiply({{*Z_, *work_, y}});
 }
 
 int SparseRateMatrix::sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns,

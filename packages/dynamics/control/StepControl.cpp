@@ -86,7 +86,7 @@ std::optional<Trial> StepControl::attempt(State const& from, int level, Guess co
                                           SolveCount& count)
 {
   auto trial = attemptAtFault(from, level, guess, count);
-  return trial ? std::optional<Trial>(complete(std::move(*trial))) : std::nullopt;
+  return trial ? std::optional<Trial>(complete(from, std::move(*trial))) : std::nullopt;
 }
 
 std::optional<FaultTrial> StepControl::attemptAtFault(State const& from, int level,
@@ -97,9 +97,9 @@ std::optional<FaultTrial> StepControl::attemptAtFault(State const& from, int lev
   last_status_ = result.status;
   not_finite_.reset();
   if (result.solved()) {
-    FaultTrial trial{std::move(state), result.iterations, std::move(result.rest)};
+    FaultTrial trial{std::move(state), result.iterations, result.rest};
     if (!step_.fault().stateDecides()) {
-      std::move(*trial.rest).complete(trial.state);
+      step_.complete(*trial.rest, from, trial.state);
       trial.rest.reset();
     }
     return trial;
@@ -110,10 +110,10 @@ std::optional<FaultTrial> StepControl::attemptAtFault(State const& from, int lev
   return std::nullopt;
 }
 
-Trial StepControl::complete(FaultTrial&& trial)
+Trial StepControl::complete(State const& from, FaultTrial&& trial)
 {
   if (trial.rest) {
-    std::move(*trial.rest).complete(trial.state);
+    step_.complete(*trial.rest, from, trial.state);
   }
   return {std::move(trial.state), trial.iterations};
 }

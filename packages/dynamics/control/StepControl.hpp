@@ -103,7 +103,7 @@ protected:
   // The same at the fault alone. complete() must come before any other attempt, or never.
   std::optional<FaultTrial> attemptAtFault(State const& from, int level, Guess const& guess,
                                            SolveCount& count);
-  static Trial complete(FaultTrial&& trial);
+  Trial complete(State const& from, FaultTrial&& trial);
   // Replaces `current` by the end of a step of the level, or of a smaller one that passes no
   // instant; gives up if it is not solved. For controls without an estimate of the error.
   AcceptedStep makeStep(State& current, int level, SolveCount& count);

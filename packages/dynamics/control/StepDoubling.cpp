@@ -113,7 +113,7 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
       break;
     }
     error = difference;
-    memory_.trial = complete(std::move(*doubled));
+    memory_.trial = complete(current, std::move(*doubled));
     next.reset();
     --memory_.level;
     coarsened = true;
@@ -139,7 +139,7 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
       }
     }
     ++memory_.level;
-    next = second ? std::optional<Trial>(complete(std::move(*second))) : std::nullopt;
+    next = second ? std::optional<Trial>(complete(first->state, std::move(*second))) : std::nullopt;
     memory_.trial = std::move(first);
     findTrial(current, count);
   }

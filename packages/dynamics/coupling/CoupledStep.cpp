@@ -4,8 +4,9 @@
 
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "dynamics/coupling/InelasticUpdate.hpp"
+#include "dynamics/coupling/NormalStressUpdate.hpp"
 #include "dynamics/coupling/StateUpdate.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "parameters/Parameters.hpp"
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace asperity::dynamics
 {
@@ -104,20 +104,45 @@ std::array<SolveCount::Member, 8> const& SolveCount::members()
   return all;
 }
 
+StepUnknownList CoupledStep::unknownsOf(Body const& body, Fault const& fault,
+                                        ReactionSinceStart const& since_start)
+{
+  StepUnknownList all = {std::make_shared<StateUpdate>(fault),
+                         std::make_shared<NormalStressUpdate>(body, fault, since_start)};
+  for (auto const& process : fault.processes()) {
+    auto const of_process = process->unknowns();
+    all.insert(all.end(), of_process.begin(), of_process.end());
+  }
+  if (body.cells) {
+    all.push_back(std::make_shared<InelasticUpdate>(*body.cells));
+  }
+  return all;
+}
+
 CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
                          DyadicTime const& clock, CouplingSettings const& settings,
                          RateSolverSettings const& solver_settings, std::size_t budget_bytes,
                          ReactionSinceStart const& since_start)
+    : CoupledStep(body, fault, update, clock, settings, solver_settings, budget_bytes,
+                  unknownsOf(body, fault, since_start))
+{
+}
+
+CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
+                         DyadicTime const& clock, CouplingSettings const& settings,
+                         RateSolverSettings const& solver_settings, std::size_t budget_bytes,
+                         StepUnknownList unknowns)
     : body_(body)
     , fault_(fault)
     , update_(update)
     , clock_(clock)
     , settings_(settings)
-    , unknowns_(fault.surface(), settings.anderson_depth)
-    , stress_(std::make_shared<NormalStressUpdate>(body, fault, since_start))
+    , unknowns_(fault.surface(), settings.anderson_depth, std::move(unknowns))
+    , given_(fault.processes(), fault.surface().numNodes())
     , solvers_(body, fault.surface(), update, clock, solver_settings, budget_bytes,
-               stress_->coupled() ? since_start.reaction : nullptr)
+               unknowns_.reaction())
     , forces_(body.noForces())
+    , b_without_unknowns_(unknowns_.addForces() ? body.vector() : Teuchos::null)
     , b_(body.vector())
     , prescribed_(body.vector())
     , u_hat_(body.vector())
@@ -132,25 +157,6 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , beside_("asperity::dynamics::prescribedBeside", surface().numNodes(), surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
-  if (body.cells) {
-    inelastic_.emplace(*body.cells, settings.anderson_depth);
-  }
-  unknowns_.add(std::make_shared<StateUpdate>(fault));
-  if (stress_->coupled()) {
-    unknowns_.add(stress_);
-  }
-  for (auto const& process : fault.processes()) {
-    for (auto const& unknown : process->unknowns()) {
-      unknowns_.add(unknown);
-    }
-  }
-}
-
-double CoupledStep::distance(State const& a, State const& b, Norm norm) const
-{
-  const double of_fault = unknowns_.distance(a, b, norm);
-  const double of_rock = inelastic_ ? inelastic_->distance(a, b, norm) : 0;
-  return std::isfinite(of_rock) ? std::max(of_fault, of_rock) : of_rock;
 }
 
 // Evaluates the expressions of the deck at the time t1. One of them may be nan on one rank alone;
@@ -159,7 +165,7 @@ void CoupledStep::evaluateLoads(double t0, double t1)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   onEveryRank(*surface().communicator(), [&] {
-    stress_->evaluate(t0, t1);
+    unknowns_.evaluate(t0, t1);
     body_.prescribed_velocity(t1, *prescribed_);
     slips_beside_ = prescribedBesideSliding(surface(), *prescribed_, beside_);
     setZeroSlipRate(surface(), *prescribed_);
@@ -172,7 +178,7 @@ void CoupledStep::evaluateLoads(double t0, double t1)
 // w = v1 - v_D, which is zero at held dofs. Under back slip v_D is the motion of the plates at the
 // free dofs of the fault, so that friction depends on w there (gatherSlip). Where a held dof of the
 // fault slips beside a free one, friction depends on the prescribed rate of it, too.
-void CoupledStep::rightSide(State const& from, double tau, State& to)
+void CoupledStep::rightSide(State const& from, double tau, State const& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   update_.predict(from, tau, *u_hat_, *a_hat_);
@@ -180,20 +186,20 @@ void CoupledStep::rightSide(State const& from, double tau, State& to)
   RateUpdate::relax(body_.matrices, from, tau, *work_u_, work_d_);
   body_.computeForces({*work_u_, *prescribed_, *work_a_, work_d_}, forces_);
   forces_.subtractFrom(*b_);
-  if (inelastic_) {
-    inelastic_->begin(*b_);
+  if (!b_without_unknowns_.is_null()) {
+    Tpetra::deep_copy(*b_without_unknowns_, *b_);
   }
-  stress_->begin(from, to);
   setRightSide(to);
 }
 
-// The right side with the inelastic strain of `to`.
+// The right side with the iterates in `to`.
 void CoupledStep::setRightSide(State const& to)
 {
-  if (inelastic_) {
-    inelastic_->rightSide(to, *b_);
+  if (!b_without_unknowns_.is_null()) {
+    Tpetra::deep_copy(*b_, *b_without_unknowns_);
+    unknowns_.addForces(to, *b_);
   }
-  stress_->setRightSide(*b_);
+  unknowns_.setRightSide(*b_);
   body_.clearHeld(*b_);
 }
 
@@ -201,7 +207,7 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
 {
   auto result = solveAtFault(from, level, to, count);
   if (result.solved()) {
-    std::move(*result.rest).complete(to);
+    complete(*result.rest, from, to);
     result.rest.reset();
   }
   return result;
@@ -209,14 +215,12 @@ CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveC
 
 CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to, SolveCount& count)
 {
-  ++num_solved_;
+  ++num_begun_;
   const double tau = clock_.stepSize(level);
   to.time = from.time + clock_.ticks(level);
   evaluateLoads(clock_.seconds(from.time), clock_.seconds(to.time));
+  beginUnknowns(from, tau, to);
   rightSide(from, tau, to);
-  for (auto const& process : fault_.processes()) {
-    process->begin(from, clock_.seconds(from.time), tau, to);
-  }
 
   guess_->update(1, *to.v, -1, *prescribed_, 0);
   body_.clearHeld(*guess_);
@@ -224,7 +228,6 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   solver.begin(*b_, *guess_);
   update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
   gatherSlip(surface(), *work_u_, mean_offset_);
-  beginUnknowns(from, tau, to);
 
   auto result = iterate(from, tau, solver, to, count);
   ++count.coupled_steps;
@@ -234,7 +237,7 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   }
   solver.knownVelocity(*guess_);
   to.v->update(1, *guess_, 1, *prescribed_, 0);
-  result.rest = PendingStep(*this, from, level, num_solved_);
+  result.rest = PendingStep{level, num_begun_};
   return result;
 }
 
@@ -243,23 +246,18 @@ void CoupledStep::beginUnknowns(State const& from, double tau, State const& to)
 {
   gatherSlip(surface(), *from.v, mean_);
   const FrictionProblem friction = {fault_.friction(),
-                                    {from.alpha_of_rate, fault_.given(from).sigma_n}};
-  unknowns_.begin({from, tau, mean_, friction, to});
+                                    {from.alpha_of_rate, given_.at(from).sigma_n}};
+  unknowns_.begin({from, clock_.seconds(from.time), tau, mean_, friction, to});
 }
 
-void PendingStep::complete(State& to) &&
+void CoupledStep::complete(PendingStep const& step, State const& from, State& to)
 {
-  ASPERITY_ASSERT(number_ == step_->num_solved_);
-  step_->complete(*from_, level_, to);
-}
-
-void CoupledStep::complete(State const& from, int level, State& to)
-{
-  if (!inelastic_) { // where rock may yield, solveAtFault() has set all of v
-    solvers_.at(level).velocity(*to.v);
+  ASPERITY_ASSERT(step.number == num_begun_ && to.time == from.time + clock_.ticks(step.level));
+  if (!unknowns_.followFromBody()) { // else solveAtFault() has set all of v
+    solvers_.at(step.level).velocity(*to.v);
     to.v->update(1, *prescribed_, 1);
   }
-  const double tau = clock_.stepSize(level);
+  const double tau = clock_.stepSize(step.level);
   update_.complete(from, *u_hat_, *a_hat_, tau, to);
   RateUpdate::relax(body_.matrices, from, tau, *to.u, to.branches);
   unknowns_.complete(from, tau, to);
@@ -274,40 +272,25 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   slipRate(surface(), mean_, V_);
 }
 
-// How far the inelastic strain is from what follows from the velocity of the body, with which it
-// leaves guess_.
-double CoupledStep::inelasticChange(State const& from, double tau, RateSolver const& solver,
-                                    State const& to)
+// At the end of the step, from the velocity of the body, with which it leaves guess_.
+Vector const& CoupledStep::displacement(RateSolver const& solver, double tau)
 {
   solver.velocity(*guess_);
   work_v_->update(1, *guess_, 1, *prescribed_, 0);
   update_.withVelocity(*work_v_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
-  inelastic_->respond(*work_u_, tau, from);
-  return inelastic_->change(to, settings_.norm);
+  return *work_u_;
 }
 
-// Sets the next iterate of the inelastic strain, which changes the right side of the rate problem.
-void CoupledStep::advanceInelastic(RateSolver& solver, State& to)
-{
-  inelastic_->advance(to);
-  setRightSide(to);
-  solver.begin(*b_, *guess_);
-}
-
-// Alternates one iteration of TNNMG and one update of the state: both reduce the error by similar
-// factors, and more iterations for a state that still changes would be wasted. When the state has
-// converged, the rate problem is solved with it. The response of rock that yields takes the whole
-// body: it waits until the fault has converged, or changes less than the rock did when last asked
-// and the rock is expected to change further.
+// Alternates one iteration of TNNMG and one update of the unknowns: both reduce the error by
+// similar factors, and more iterations for unknowns that still change would be wasted. When they
+// have converged, the rate problem is solved with them.
 CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
                                    SolveCount& count)
 {
   CoupledResult result;
-  unknowns_.restart();
-  double last_change = std::numeric_limits<double>::infinity();
   bool converged = false;
   while (converged || result.iterations < settings_.max_iterations) {
-    auto const given = fault_.given(to);
+    auto const given = given_.at(to);
     const FrictionProblem friction = {fault_.friction(), given}; // of the whole slip rate
     FrictionProblem const problem = slips_beside_ ? friction.beside(beside_) : friction; // of w
     result.iterations += converged ? 0 : 1;
@@ -319,19 +302,15 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
       return result;
     }
     meanSlipRate(solver);
-    const bool responded = unknowns_.respond({from, tau, mean_, V_, solver, friction, to});
-    const double of_fault = unknowns_.change(settings_.norm);
-    const bool fault_converged = rate.converged && of_fault <= settings_.tolerance;
-    const bool asks_rock =
-      inelastic_ && (fault_converged || (of_fault <= inelastic_->lastChange() &&
-                                         inelastic_->expectedChange() > settings_.tolerance));
-    const double of_rock = asks_rock ? inelasticChange(from, tau, solver, to) : 0;
-    const double change = std::max(of_fault, of_rock);
-    if (!responded || !std::isfinite(of_fault) || !std::isfinite(of_rock)) {
+    StepIterate now = {from, tau, mean_, V_, solver, friction, to};
+    double change = unknowns_.ask(FollowsFrom::fault, now, settings_.norm);
+    if (unknowns_.bodyIsWorthAsking(change, rate.converged, settings_.tolerance)) {
+      now.u_in_body = &displacement(solver, tau);
+      const double in_body = unknowns_.ask(FollowsFrom::body, now, settings_.norm);
+      change = in_body <= change ? change : in_body; // which may be nan
+    }
+    if (!std::isfinite(change)) {
       unknowns_.copyImages(to); // a value that is not finite can be found there
-      if (inelastic_) {
-        inelastic_->copyImage(to);
-      }
       result.status = StepStatus::state_failed;
       return result;
     }
@@ -339,20 +318,14 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     if (converged && rate.converged) {
       Kokkos::deep_copy(to.alpha_of_rate, given.alpha);
       unknowns_.finish(to);
-      if (inelastic_) {
-        inelastic_->copyImage(to);
-      }
       return result;
     }
-    if (!converged) {
-      if (of_fault > last_change) { // the remembered iterates point away from the fixed point
-        unknowns_.restart();
+    if (!converged && unknowns_.advance(to)) {
+      setRightSide(to);
+      if (now.u_in_body == nullptr) { // else displacement() has left it in guess_
+        solver.velocity(*guess_);
       }
-      unknowns_.advance(to);
-      if (asks_rock) {
-        advanceInelastic(solver, to);
-      }
-      last_change = of_fault;
+      solver.begin(*b_, *guess_);
     }
   }
   result.status = StepStatus::fixed_point_failed;

@@ -2,10 +2,8 @@
 
 #include "dynamics/Body.hpp"
 #include "dynamics/State.hpp"
-#include "dynamics/coupling/FaultUnknowns.hpp"
-#include "dynamics/coupling/InelasticUpdate.hpp"
-#include "dynamics/coupling/NormalStressUpdate.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
+#include "dynamics/coupling/StepUnknowns.hpp"
 #include "dynamics/fault/Fault.hpp"
 
 #include <array>
@@ -57,30 +55,12 @@ enum class StepStatus
   fixed_point_failed
 };
 
-class CoupledStep;
-
-// A step that has been solved at the fault alone, until its CoupledStep begins another one.
-class PendingStep
+// Names a step that has been solved at the fault alone. CoupledStep::complete takes it until
+// another step begins.
+struct PendingStep
 {
-public:
-  // Computes the rest of the state at its end: v off the fault, and the other fields of the body.
-  // The state in which the step began must still be there.
-  void complete(State& to) &&;
-
-private:
-  friend class CoupledStep;
-  PendingStep(CoupledStep& step, State const& from, int level, std::int64_t number)
-      : step_(&step)
-      , from_(&from)
-      , level_(level)
-      , number_(number)
-  {
-  }
-
-  CoupledStep* step_;
-  State const* from_;
-  int level_;
-  std::int64_t number_;
+  int level;
+  std::int64_t number; // of all steps that the CoupledStep has begun
 };
 
 struct CoupledResult
@@ -98,10 +78,10 @@ struct CoupledResult
 // the scheme damps u; for Newmark with beta = 1/4 it is that of thesis eq. (25) with lambda = 1/2.
 // Under back slip V = |slip_factor (u1 - u0)_t / tau + Vp|.
 //
-// A normal stress that is coupled to the body is a second unknown of the fixed point beside alpha:
-// (alpha, sigma_n) -> rate problem -> V, reaction across the fault -> (alpha, sigma_n). Each rate
-// problem is convex as before, since both are fixed in it. So is the inelastic strain of rock that
-// yields, which follows from the displacement at the end of the step (InelasticUpdate).
+// What else each rate problem takes as given is an unknown of the fixed point beside alpha: a
+// normal stress that is coupled to the body, what processes on the fault add, and the inelastic
+// strain of rock that yields (StepUnknown). Each rate problem is convex, since all of them are
+// fixed in it.
 class CoupledStep
 {
 public:
@@ -112,6 +92,16 @@ public:
               DyadicTime const& clock, CouplingSettings const& settings,
               RateSolverSettings const& solver_settings, std::size_t budget_bytes,
               ReactionSinceStart const& since_start = {});
+  // The same with these unknowns in place of unknownsOf.
+  CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
+              DyadicTime const& clock, CouplingSettings const& settings,
+              RateSolverSettings const& solver_settings, std::size_t budget_bytes,
+              StepUnknownList unknowns);
+
+  // The unknowns of a body and its fault, see the constructors: alpha, the normal stress, those of
+  // processes, and the inelastic strain.
+  static StepUnknownList unknownsOf(Body const& body, Fault const& fault,
+                                    ReactionSinceStart const& since_start);
 
   DyadicTime const& clock() const { return clock_; }
   fem::FaultSurface const& surface() const { return fault_.surface(); }
@@ -132,35 +122,38 @@ public:
   // jerk are not set. This is enough for a step that is only compared with others, and saves half
   // of the elimination with the direct correction.
   CoupledResult solveAtFault(State const& from, int level, State& to, SolveCount& count);
+  // Computes the rest of the state `to` at the end of that step from `from`: v off the fault, and
+  // the other fields of the body. No other step may have begun since. Collective.
+  void complete(PendingStep const& step, State const& from, State& to);
 
-  // The error of a step that ends in a, if b is its exact end, between steps: in the unknowns of
-  // the fault and, if the body has cells that may yield, their inelastic strain. Collective.
-  double distance(State const& a, State const& b, Norm norm) const;
+  // The error of a step that ends in a, if b is its exact end, between steps: the largest of the
+  // unknowns. Collective.
+  double distance(State const& a, State const& b, Norm norm) const
+  {
+    return unknowns_.distance(a, b, norm);
+  }
 
 private:
-  friend class PendingStep;
   void evaluateLoads(double t0, double t1);
-  void rightSide(State const& from, double tau, State& to);
+  void rightSide(State const& from, double tau, State const& to);
   void setRightSide(State const& to);
   void beginUnknowns(State const& from, double tau, State const& to);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
                         SolveCount& count);
   void meanSlipRate(RateSolver& solver);
-  double inelasticChange(State const& from, double tau, RateSolver const& solver, State const& to);
-  void advanceInelastic(RateSolver& solver, State& to);
-  void complete(State const& from, int level, State& to);
+  Vector const& displacement(RateSolver const& solver, double tau);
 
   Body const& body_;
   Fault const& fault_;
   RateUpdate update_;
   DyadicTime clock_;
   CouplingSettings settings_;
-  FaultUnknowns unknowns_;
-  std::shared_ptr<NormalStressUpdate> stress_; // one of the unknowns if it is coupled
-  std::optional<InelasticUpdate> inelastic_;   // if the body has cells that may yield
+  StepUnknowns unknowns_;
+  FrictionInput given_;
   StepSolvers solvers_;
   BodyForces forces_;
-  std::int64_t num_solved_ = 0; // steps, to tell which one may be completed
+  std::int64_t num_begun_ = 0;     // steps, to tell which one may be completed
+  RCP<Vector> b_without_unknowns_; // null if none adds forces
   RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_, work_v_;
   std::vector<RCP<Vector>> work_d_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the

@@ -1,62 +1,57 @@
 #include "dynamics/coupling/InelasticUpdate.hpp"
 
 #include "fem/inelastic/InelasticCells.hpp"
-#include <Tpetra_Vector.hpp>
 
 namespace asperity::dynamics
 {
-InelasticUpdate::InelasticUpdate(fem::InelasticCells const& cells, int depth)
+namespace
+{
+// Rows of a list, (num_cells, components).
+template <class Tensors, class List>
+Tensors rowsOf(List const& list, int num_cells)
+{
+  return Tensors(list.data(), num_cells, num_cells > 0 ? list.extent(0) / num_cells : 0);
+}
+} // namespace
+
+ConstNodeView YieldingCells::weights() const { return cells_.weights(); }
+
+RCP<const Communicator> YieldingCells::communicator() const
+{
+  return cells_.sharing().communicator();
+}
+
+double YieldingCells::distance(ConstNodeView const& values, ConstNodeView const& exact,
+                               Norm norm) const
+{
+  return cells_.distance(rowsOf<fem::ConstTensorView>(values, cells_.numCells()),
+                         rowsOf<fem::ConstTensorView>(exact, cells_.numCells()),
+                         norm == Norm::maximum);
+}
+
+InelasticUpdate::InelasticUpdate(fem::InelasticCells const& cells)
     : cells_(cells)
-    , acceleration_(cells.weights(), cells.sharing().communicator(), depth)
+    , space_(cells)
     , image_(cells.none())
 {
 }
 
-void InelasticUpdate::begin(Vector const& b)
+void InelasticUpdate::addForces(State const& to, Vector& b) const
 {
-  acceleration_.reset();
-  last_change_ = ratio_ = 0;
-  if (b_.is_null()) {
-    b_ = rcp(new Vector(b.getMap()));
-  }
-  Tpetra::deep_copy(*b_, b);
-}
-
-void InelasticUpdate::rightSide(State const& to, Vector& b) const
-{
-  Tpetra::deep_copy(b, *b_);
   cells_.addForces(to.inelastic->strain, b);
 }
 
-void InelasticUpdate::respond(Vector const& u, double tau, State const& from)
+int InelasticUpdate::respond(StepIterate const& step, NodeView const& image)
 {
-  cells_.respond(u, tau, *from.inelastic, image_);
+  const auto strain = rowsOf<fem::TensorView>(image, cells_.numCells());
+  cells_.respond(*step.u_in_body, step.tau, *step.from.inelastic,
+                 {strain, image_.shear, image_.history});
+  return 0;
 }
 
-double InelasticUpdate::change(State const& to, Norm norm)
+void InelasticUpdate::finish(ConstNodeView const& image, State const& to) const
 {
-  const double now = cells_.distance(image_.strain, to.inelastic->strain, norm == Norm::maximum);
-  if (now > last_change_) {
-    acceleration_.reset();
-  }
-  ratio_ = last_change_ > 0 ? now / last_change_ : 0;
-  last_change_ = now;
-  return now;
-}
-
-double InelasticUpdate::distance(State const& a, State const& b, Norm norm) const
-{
-  return cells_.distance(a.inelastic->strain, b.inelastic->strain, norm == Norm::maximum);
-}
-
-void InelasticUpdate::advance(State& to)
-{
-  acceleration_.advance(overwritten(to.inelastic->strain), valuesOf(image_.strain));
-}
-
-void InelasticUpdate::copyImage(State& to) const
-{
-  Kokkos::deep_copy(to.inelastic->strain, image_.strain);
+  Kokkos::deep_copy(of(to), image);
   Kokkos::deep_copy(to.inelastic->shear, image_.shear);
   Kokkos::deep_copy(to.inelastic->history, image_.history);
 }

@@ -1,51 +1,47 @@
 #pragma once
 
-#include "dynamics/State.hpp"
-#include "dynamics/coupling/AndersonAcceleration.hpp"
-#include "dynamics/fault/Norm.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 
 namespace asperity::dynamics
 {
-// The inelastic strain of the body's cells within a step: an unknown of its fixed point that the
-// rate problem takes as given. Elastic rock with a given inelastic strain has a potential that
-// touches the one of rock that yields where this strain follows from the displacement, and exceeds
-// it elsewhere (fem/bulk/ReturnMapping.hpp). So J falls from one rate problem to the next as long
-// as alpha, normal stress and mean stress stay, and Z is that of elastic rock.
-class InelasticUpdate
+// A tensor in each of a body's cells that may yield, in one list.
+class YieldingCells final : public UnknownSpace
 {
 public:
-  // depth: of the acceleration. cells must outlive this.
-  InelasticUpdate(fem::InelasticCells const& cells, int depth);
+  explicit YieldingCells(fem::InelasticCells const& cells) : cells_(cells) {} // which outlive this
 
-  // Begins a step with the right side b that it has without inelastic strain.
-  void begin(Vector const& b);
-  // b := that right side and the forces of the strain in `to`.
-  void rightSide(State const& to, Vector& b) const;
-
-  // Computes the image: the strain after the step [s] from `from` if it ends with the displacement
-  // u. Collective.
-  void respond(Vector const& u, double tau, State const& from);
-  // How far the image is from the iterate in `to`, see fem::InelasticCells::distance. Where this is
-  // more than before, the remembered iterates point away from the fixed point and are forgotten.
-  // Collective.
-  double change(State const& to, Norm norm);
-  // The same from the strain in one state to that in another.
-  double distance(State const& a, State const& b, Norm norm) const;
-  // The last change in this step; 0 before.
-  double lastChange() const { return last_change_; }
-  // The change to expect next: as much smaller as the last one was than that before it. 0 until
-  // there are two.
-  double expectedChange() const { return last_change_ * ratio_; }
-  // The next iterate in `to`. Collective.
-  void advance(State& to);
-  // The image in `to`, with which the step ends.
-  void copyImage(State& to) const;
+  ConstNodeView weights() const override;
+  RCP<const Communicator> communicator() const override;
+  // fem::InelasticCells::distance.
+  double distance(ConstNodeView const& values, ConstNodeView const& exact,
+                  Norm norm) const override;
 
 private:
   fem::InelasticCells const& cells_;
-  AndersonAcceleration acceleration_;
-  RCP<Vector> b_; // without inelastic strain
-  fem::InelasticStrain image_;
-  double last_change_ = 0, ratio_ = 0;
+};
+
+// The inelastic strain of the body's cells within a step. Elastic rock with a given inelastic
+// strain has a potential that touches the one of rock that yields where this strain follows from
+// the displacement, and exceeds it elsewhere (fem/bulk/ReturnMapping.hpp). So J falls from one rate
+// problem to the next as long as alpha, normal stress and mean stress stay, and Z is that of
+// elastic rock.
+class InelasticUpdate final : public StepUnknown
+{
+public:
+  explicit InelasticUpdate(fem::InelasticCells const& cells); // which must outlive this
+
+  NodeView of(State const& state) const override { return overwritten(state.inelastic->strain); }
+  FollowsFrom followsFrom() const override { return FollowsFrom::body; }
+  UnknownSpace const* space() const override { return &space_; }
+  bool addsForces() const override { return true; }
+  void addForces(State const& to, Vector& b) const override;
+  int respond(StepIterate const& step, NodeView const& image) override;
+  bool endsWithImage() const override { return true; }
+  void finish(ConstNodeView const& image, State const& to) const override;
+
+private:
+  fem::InelasticCells const& cells_;
+  YieldingCells space_;
+  fem::InelasticStrain image_; // beside the strain, which is given
 };
 } // namespace asperity::dynamics

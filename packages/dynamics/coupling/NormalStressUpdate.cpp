@@ -41,20 +41,21 @@ void NormalStressUpdate::evaluate(double t0, double t1)
   }
 }
 
-void NormalStressUpdate::begin(State const& from, State& to)
+void NormalStressUpdate::begin(StepStart const& start)
 {
+  auto const& sigma_n = start.to.sigma_n;
   switch (change_) {
   case NormalStressChange::fixed:
-    Kokkos::deep_copy(to.sigma_n, sigma_0_);
-    limit(to.sigma_n);
+    Kokkos::deep_copy(sigma_n, sigma_0_);
+    limit(sigma_n);
     break;
   case NormalStressChange::lagged:
-    since_start_.reaction->compression(*load_, from.motion(), R_);
-    fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, to.sigma_n);
+    since_start_.reaction->compression(*load_, start.from.motion(), R_);
+    fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, sigma_n);
     break;
   case NormalStressChange::coupled:
-    setScaleOfStress(from.sigma_n, fault_.surface(), scale_);
-    limit(to.sigma_n);
+    setScaleOfStress(start.from.sigma_n, fault_.surface(), scale_);
+    limit(sigma_n);
     break;
   }
 }
@@ -66,10 +67,10 @@ void NormalStressUpdate::setRightSide(Vector const& b)
   }
 }
 
-int NormalStressUpdate::respond(FaultResponse const& to, NodeView const& image)
+int NormalStressUpdate::respond(StepIterate const& step, NodeView const& image)
 {
   ASPERITY_TIME_WORK("normal stress");
-  to.solver.reactions(R_);
+  step.solver.reactions(R_);
   subtract(right_side_, R_);
   since_start_.reaction->compression(R_, R_);
   fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, image);

@@ -33,6 +33,8 @@ void add(double weight, ConstNodeView const& values, NodeView const& sum)
 
 StateUpdate::StateUpdate(Fault const& fault)
     : fault_(fault)
+    , before_(fault.processes(), fault.surface().numNodes())
+    , after_(fault.processes(), fault.surface().numNodes())
     , carried_("asperity::dynamics::carriedAlpha", fault.surface().numNodes())
 {
   if (fault.laws().stress_sensitivity.extent(0) > 0) {
@@ -46,10 +48,10 @@ void StateUpdate::begin(StepStart const& start)
   add(1, carried_, start.to.alpha);
 }
 
-int StateUpdate::respond(FaultResponse const& to, NodeView const& image)
+int StateUpdate::respond(StepIterate const& step, NodeView const& image)
 {
   ASPERITY_TIME_WORK("state updates");
-  const int failures = flow(to, image);
+  const int failures = flow(step, image);
   add(1, carried_, image);
   return failures;
 }
@@ -62,15 +64,15 @@ void StateUpdate::finish(ConstNodeView const& image, State const& to) const
   add(-1, carried_, to.alpha);
 }
 
-int StateUpdate::flow(FaultResponse const& to, NodeView const& image)
+int StateUpdate::flow(StepIterate const& step, NodeView const& image)
 {
   auto const& sensitivity = fault_.laws().stress_sensitivity;
   if (shifted_.extent(0) == 0) {
-    return fault_.state().flow(to.slip_rate, to.tau, to.from.alpha, image);
+    return fault_.state().flow(step.slip_rate, step.tau, step.from.alpha, image);
   }
-  auto const before = fault_.given(to.from).sigma_n, after = fault_.given(to.to).sigma_n;
-  shiftByStress(sensitivity, before, after, to.from.alpha, shifted_);
-  const int failures = fault_.state().flow(to.slip_rate, to.tau, shifted_, image);
+  auto const before = before_.at(step.from).sigma_n, after = after_.at(step.to).sigma_n;
+  shiftByStress(sensitivity, before, after, step.from.alpha, shifted_);
+  const int failures = fault_.state().flow(step.slip_rate, step.tau, shifted_, image);
   shiftByStress(sensitivity, before, after, image, image);
   return failures;
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 #include "dynamics/fault/Fault.hpp"
+#include "dynamics/fault/FrictionInput.hpp"
 
 namespace asperity::dynamics
 {
@@ -14,21 +15,22 @@ namespace asperity::dynamics
 // time at which a slow nucleation becomes an earthquake. Friction of the next step therefore takes
 // alpha + d. The shifts of friction then add up to the last d alone, over any number of steps, and
 // the tolerance of the fixed point has little weight in a sequence.
-class StateUpdate final : public FaultUnknown
+class StateUpdate final : public StepUnknown
 {
 public:
   explicit StateUpdate(Fault const& fault); // which must outlive this
 
-  NodeView const& of(State const& state) const override { return state.alpha; }
+  NodeView of(State const& state) const override { return state.alpha; }
   void begin(StepStart const& start) override;
-  int respond(FaultResponse const& to, NodeView const& image) override;
+  int respond(StepIterate const& step, NodeView const& image) override;
   bool endsWithImage() const override { return true; }
   void finish(ConstNodeView const& image, State const& to) const override;
 
 private:
-  int flow(FaultResponse const& to, NodeView const& image);
+  int flow(StepIterate const& step, NodeView const& image);
 
   Fault const& fault_;
+  FrictionInput before_, after_; // of the step
   NodeView carried_; // the defect of the step before, in the iterates and images of this one
   NodeView shifted_; // alpha before the flow; without entries if nothing shifts it
 };

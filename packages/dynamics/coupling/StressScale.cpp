@@ -8,7 +8,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-constexpr double friction_over_b = 50;
 constexpr double small_share = 1e-2; // relative changes of a stress near zero do not matter
 
 double largest(ConstNodeView const& values)
@@ -31,8 +30,6 @@ void setScaleOfStress(ConstNodeView const& stress, fem::FaultSurface const& surf
   const double least = most > 0 ? small_share * most : 1;
   Kokkos::parallel_for(
     "asperity::dynamics::scaleOfNormalStress", RangePolicy(0, scale.extent(0)),
-    KOKKOS_LAMBDA(int node) {
-      scale(node) = friction_over_b / (stress(node) > least ? stress(node) : least);
-    });
+    KOKKOS_LAMBDA(int node) { scale(node) = scaleOfStress(stress(node), least); });
 }
 } // namespace asperity::dynamics

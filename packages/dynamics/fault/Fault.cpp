@@ -16,21 +16,6 @@ FaultProcesses allOf(FaultLaws const& laws)
 }
 } // namespace
 
-friction::StateAndStress under(FaultProcesses const& processes, State const& state)
-{
-  if (processes.empty()) {
-    return {state.alpha, state.sigma_n};
-  }
-  const NodeView alpha("asperity::dynamics::givenAlpha", state.alpha.extent(0));
-  const NodeView sigma_n("asperity::dynamics::givenStress", state.sigma_n.extent(0));
-  Kokkos::deep_copy(alpha, state.alpha);
-  Kokkos::deep_copy(sigma_n, state.sigma_n);
-  for (auto const& process : processes) {
-    process->act(state, alpha, sigma_n);
-  }
-  return {alpha, sigma_n};
-}
-
 Fault::Fault(std::shared_ptr<const fem::FaultSurface> surface, FaultLaws laws,
              NormalStress normal_stress)
     : surface_(std::move(surface))

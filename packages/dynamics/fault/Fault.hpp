@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/FaultProcess.hpp"
+#include "dynamics/fault/FrictionInput.hpp"
 #include "dynamics/fault/NormalStress.hpp"
 #include "fem/FaultSurface.hpp"
 #include "friction/FrictionKernels.hpp"
@@ -13,8 +13,6 @@
 
 namespace asperity::dynamics
 {
-using FaultProcesses = std::vector<std::shared_ptr<const FaultProcess>>;
-
 // The laws at the nodes of a fault, with their parameters in the order of the laws' tables.
 struct FaultLaws
 {
@@ -34,9 +32,6 @@ struct FaultLaws
   // RegularisedStress.hpp does; null if friction takes that one at once.
   std::shared_ptr<const FaultProcess> regularisation = {};
 };
-
-// alpha and sigma_n of a state, or what the processes make of them, one after the other.
-friction::StateAndStress under(FaultProcesses const& processes, State const& state);
 
 // What acts on a fault: friction, the evolution of its state, and the normal stress, at the nodes
 // of its surface. Nothing in it changes during a run.
@@ -61,11 +56,14 @@ public:
   FaultProcesses const& processes() const { return processes_; }
 
   // What friction depends on in a state: its alpha and sigma_n, or what all processes make of them.
-  friction::StateAndStress given(State const& state) const { return under(processes_, state); }
+  friction::StateAndStress given(State const& state) const
+  {
+    return FrictionInput(processes_, surface_->numNodes()).at(state);
+  }
   // The normal stress (num_nodes) [Pa] less the pressure of fluids, before it is regularised.
   ConstNodeView effectiveStress(State const& state) const
   {
-    return under(laws_.processes, state).sigma_n;
+    return FrictionInput(laws_.processes, surface_->numNodes()).at(state).sigma_n;
   }
 
   // Friction kernels of the same law with another cohesion(num_nodes) [Pa].

@@ -3,6 +3,7 @@
 //   alpha = max(min(s / d_c, 1), min(max((t - t_f) / t_0, 0), 1)).
 #include "base/Views.hpp"
 #include "dynamics/FaultProcess.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 #include "friction/laws/SlipWeakening.hpp"
 #include "parameters/Parameters.hpp"
 
@@ -58,11 +59,13 @@ public:
     return {{std::make_shared<FieldInfo>(FieldInfo{share_name, "forced share of weakening", "-"}),
              share}};
   }
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {}; }
-
-  void begin(State const&, double t, double tau, State const& to) const override
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override
   {
-    setShare(t + tau, time_, duration_, to.at(share_name));
+    return {std::make_shared<KnownField>(
+      share_name,
+      [time = time_, duration = duration_](StepStart const& start, NodeView const& share) {
+        setShare(start.t + start.tau, time, duration, share);
+      })};
   }
 
   void act(State const& state, NodeView const& alpha, NodeView const&) const override

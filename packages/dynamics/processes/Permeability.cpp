@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
-#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "portability/Renamed.hpp"
 
@@ -52,7 +52,7 @@ void flow(PermeabilityFlow const& law, ConstNodeView const& k0, ConstNodeView co
 
 // k' as an unknown of each step: friction of the step does not depend on it, but it has to follow
 // the slip of that step.
-class Permeability::Evolution : public FaultUnknown
+class Permeability::Evolution : public StepUnknown
 {
 public:
   Evolution(FaultProcessContext const& context, std::vector<double> const& least,
@@ -74,10 +74,10 @@ public:
     scale_ = toDevice(scale, "asperity::dynamics::perPermeability");
   }
 
-  NodeView const& of(State const& state) const override { return state.at(evolved_name); }
-  int respond(FaultResponse const& to, NodeView const& image) override
+  NodeView of(State const& state) const override { return state.at(evolved_name); }
+  int respond(StepIterate const& step, NodeView const& image) override
   {
-    flow(law_, of(to.from), to.slip_rate, to.tau, image);
+    flow(law_, of(step.from), step.slip_rate, step.tau, image);
     return 0;
   }
   ConstNodeView scale() const override { return scale_; }
@@ -172,10 +172,10 @@ std::vector<State::Added> Permeability::fields() const
            k}};
 }
 
-std::vector<std::shared_ptr<FaultUnknown>> Permeability::unknowns() const
+std::vector<std::shared_ptr<StepUnknown>> Permeability::unknowns() const
 {
-  return evolution_ ? std::vector<std::shared_ptr<FaultUnknown>>{evolution_}
-                    : std::vector<std::shared_ptr<FaultUnknown>>{};
+  return evolution_ ? std::vector<std::shared_ptr<StepUnknown>>{evolution_}
+                    : std::vector<std::shared_ptr<StepUnknown>>{};
 }
 
 std::vector<double> Permeability::after(State const& state, double tau,

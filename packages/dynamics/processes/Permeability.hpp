@@ -31,7 +31,7 @@ public:
   bool changes() const { return evolution_ || dependsOnStress(); }
 
   std::vector<State::Added> fields() const;
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const;
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const;
 
   // k(num_nodes) [m^2] at a time tau [s] after the state, where the pressure is p(num_nodes); to
   // first order, since the slip rate and the normal stress are those of the state.

@@ -12,6 +12,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 #include "dynamics/processes/DiffusionStep.hpp"
 #include "dynamics/processes/EffectiveStress.hpp"
 #include "dynamics/processes/Permeability.hpp"
@@ -117,21 +118,12 @@ public:
   }
 
   // The pressure does not depend on the slip of the step, which has it from its beginning.
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override
   {
-    return permeability_->unknowns();
-  }
-
-  void begin(State const& from, double t, double tau, State const& to) const override
-  {
-    ASPERITY_TIME_WORK("pore pressure");
-    DiffusionStep::Sources q;
-    for (int k = 0; k < DiffusionStep::num_times; ++k) {
-      q[k] = inflow_->at(t + DiffusionStep::timeIn(k) * tau);
-    }
-    auto const& p = from.at(field_name);
-    auto const diffusion = diffusion_ ? diffusion_ : inTheMiddle(from, tau, q, to.at(field_name));
-    diffusion->advance(tau, p, q, to.at(field_name));
+    auto all = permeability_->unknowns();
+    all.push_back(std::make_shared<KnownField>(
+      field_name, [this](StepStart const& start, NodeView const& p) { advance(start, p); }));
+    return all;
   }
 
   std::vector<std::string> remarks() const override { return inflow_->remarks(); }
@@ -195,6 +187,17 @@ private:
     }
     with(permeability_->after(from, 0, before))->advance(tau / 2, before, q, p);
     return with(permeability_->after(from, tau / 2, p));
+  }
+
+  void advance(StepStart const& start, NodeView const& p) const
+  {
+    ASPERITY_TIME_WORK("pore pressure");
+    DiffusionStep::Sources q;
+    for (int k = 0; k < DiffusionStep::num_times; ++k) {
+      q[k] = inflow_->at(start.t + DiffusionStep::timeIn(k) * start.tau);
+    }
+    auto const diffusion = diffusion_ ? diffusion_ : inTheMiddle(start.from, start.tau, q, p);
+    diffusion->advance(start.tau, start.from.at(field_name), q, p);
   }
 
   NodalValues permeabilityOf(State const& state) const

@@ -2,7 +2,7 @@
 
 #include "base/Views.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
 #include "dynamics/coupling/StressScale.hpp"
 #include "portability/Renamed.hpp"
 
@@ -35,33 +35,36 @@ struct Follow
   }
 };
 
-class Regularisation : public FaultUnknown
+class Regularisation : public StepUnknown
 {
 public:
   Regularisation(fem::FaultSurface const& surface, RegularisationScales const& scales,
                  FaultProcesses before)
       : surface_(surface)
-      , processes_(std::move(before))
+      , before_(before, surface.numNodes())
+      , after_(std::move(before), surface.numNodes())
       , per_slip_(inverse(scales.slip_distance))
       , per_time_(inverse(scales.time))
       , scale_("asperity::dynamics::perPascal", surface.numNodes())
   {
   }
 
-  ConstNodeView effective(State const& state) const { return under(processes_, state).sigma_n; }
+  // (num_nodes), valid until the next call or step.
+  ConstNodeView effective(State const& state) const { return after_.at(state).sigma_n; }
 
-  NodeView const& of(State const& state) const override { return state.at(regularised_stress); }
+  NodeView of(State const& state) const override { return state.at(regularised_stress); }
   void begin(StepStart const& start) override
   {
-    before_ = effective(start.from);
+    effective_before_ = before_.at(start.from).sigma_n;
     setScaleOfStress(of(start.from), surface_, scale_);
+    limit(of(start.to));
   }
-  int respond(FaultResponse const& to, NodeView const& image) override
+  int respond(StepIterate const& step, NodeView const& image) override
   {
     ASPERITY_TIME_WORK("normal stress");
     Kokkos::parallel_for("asperity::dynamics::regularise", RangePolicy(0, image.extent_int(0)),
-                         Follow{per_slip_, per_time_, to.slip_rate, before_, effective(to.to),
-                                of(to.from), to.tau, image});
+                         Follow{per_slip_, per_time_, step.slip_rate, effective_before_,
+                                effective(step.to), of(step.from), step.tau, image});
     return 0;
   }
   // Extrapolation and guesses may lead below zero.
@@ -84,9 +87,9 @@ private:
   }
 
   fem::FaultSurface const& surface_;
-  FaultProcesses processes_; // that leave the effective stress
+  FrictionInput before_, after_; // with the effective stress at the ends of the step
+  ConstNodeView effective_before_;
   ConstNodeView per_slip_, per_time_;
-  ConstNodeView before_; // effective stress at the beginning of the step
   NodeView scale_;
 };
 
@@ -108,11 +111,7 @@ public:
                                                    is_guessed, counts_from_start}),
              s}};
   }
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
-  void begin(State const&, double, double, State const& to) const override
-  {
-    unknown_->limit(to.at(regularised_stress));
-  }
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override { return {unknown_}; }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
     Kokkos::deep_copy(sigma_n, state.at(regularised_stress));

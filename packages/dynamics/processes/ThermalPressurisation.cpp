@@ -2,7 +2,8 @@
 // friction (Sibson 1973; Rice 2006, doi:10.1029/2005JB004006). ShearZone.hpp has the equations.
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
-#include "dynamics/coupling/FaultUnknown.hpp"
+#include "dynamics/coupling/StepUnknown.hpp"
+#include "dynamics/coupling/StressScale.hpp"
 #include "dynamics/processes/EffectiveStress.hpp"
 #include "dynamics/processes/ShearZone.hpp"
 #include "parameters/Parameters.hpp"
@@ -14,42 +15,41 @@ namespace asperity::dynamics
 {
 namespace
 {
-// The added fields of a state: the pressure first, then the temperature at y = 0, then the modes of
-// temperature and those of pressure.
 constexpr char const* of_pressure = "fluid_pressure";
 
-auto firstField(State const& state)
-{
-  return std::find_if(state.added.begin(), state.added.end(),
-                      [](State::Added const& field) { return field.info->name == of_pressure; });
-}
+NodeView const& pressureOf(State const& state) { return state.at(of_pressure); }
 
-NodeView const& temperatureOf(State const& state) { return (firstField(state) + 1)->values; }
-
-ShearZone::Modes modesOf(State const& state, int num_modes)
+// The fields of the process in a state, which follow one another in this order.
+struct ZoneFields
 {
-  auto field = firstField(state) + 2;
+  NodeView pressure, temperature; // at y = 0
   ShearZone::Modes modes;
-  for (auto* of : {&modes.temperature, &modes.pressure}) {
-    for (int i = 0; i < num_modes; ++i) {
-      of->push_back((field++)->values);
+
+  ZoneFields(State const& state, int num_modes)
+  {
+    auto field = std::find_if(state.added.begin(), state.added.end(),
+                              [](auto const& added) { return added.info->name == of_pressure; });
+    pressure = (field++)->values;
+    temperature = (field++)->values;
+    for (auto* list : {&modes.temperature, &modes.pressure}) {
+      for (int i = 0; i < num_modes; ++i) {
+        list->push_back((field++)->values);
+      }
     }
   }
-  return modes;
-}
+};
 
-// A change of pressure by the part eps of the effective normal stress changes the strength of the
-// fault as much as a change f / b eps of alpha, and f / b is about 50 (NormalStressUpdate).
+// That of the effective normal stress (StressScale.hpp), of which 1 % of the normal stress is left
+// at least.
 void setPressureScale(ConstNodeView const& sigma_n, ConstNodeView const& p, NodeView const& scale)
 {
-  constexpr double of_alpha = 50, least_share = 1e-2, least = 1; // [-], of sigma_n, Pa
+  constexpr double least_share = 1e-2, least = 1; // of sigma_n [-]; Pa
   Kokkos::parallel_for(
     "asperity::dynamics::scaleOfPressure", RangePolicy(0, scale.extent_int(0)),
     KOKKOS_LAMBDA(int node) {
       const double share = least_share * sigma_n(node);
-      double effective = sigma_n(node) - p(node);
-      effective = effective > share ? effective : share;
-      scale(node) = of_alpha / (effective > least ? effective : least);
+      const double effective = sigma_n(node) - p(node);
+      scale(node) = scaleOfStress(effective > share ? effective : share, least);
     });
 }
 
@@ -82,7 +82,7 @@ struct Balance
 // The pressure at y = 0, an unknown of each step since heat depends on it. The heat of a step is
 // the mean of the frictions at its ends times slip, as in EnergyBalance; none where slip is
 // prescribed.
-class ZonePressure : public FaultUnknown
+class ZonePressure : public StepUnknown
 {
 public:
   ZonePressure(std::shared_ptr<const ShearZone> zone, fem::FaultSurface const& surface)
@@ -107,22 +107,24 @@ public:
     slides_ = toDevice(slides, "asperity::dynamics::slides");
   }
 
-  NodeView const& of(State const& state) const override { return firstField(state)->values; }
+  NodeView of(State const& state) const override { return pressureOf(state); }
   void begin(StepStart const& start) override
   {
     ASPERITY_TIME_WORK("thermal pressurisation");
     start.friction.linearise(start.velocity, before_, hessian_, kinked_);
-    zone_->pressureAfter(modesOf(start.from, zone_->numModes()), start.tau, rest_, per_heat_);
-    setPressureScale(start.from.sigma_n, of(start.from), scale_);
+    const ZoneFields from(start.from, zone_->numModes());
+    zone_->pressureAfter(from.modes, start.tau, rest_, per_heat_);
+    setPressureScale(start.from.sigma_n, from.pressure, scale_);
   }
-  int respond(FaultResponse const& to, NodeView const& image) override
+  int respond(StepIterate const& step, NodeView const& image) override
   {
     ASPERITY_TIME_WORK("thermal pressurisation");
-    to.solver.faultVelocity(velocity_);
-    to.friction.linearise(velocity_, after_, hessian_, kinked_);
+    step.solver.faultVelocity(velocity_);
+    step.friction.linearise(velocity_, after_, hessian_, kinked_);
     Kokkos::parallel_for("asperity::dynamics::balancePressure", RangePolicy(0, image.extent_int(0)),
-                         Balance{slides_, weights_, slip_factors_, to.mean_velocity, before_,
-                                 after_, rest_, per_heat_, to.to.sigma_n, of(to.to), image, heat_});
+                         Balance{slides_, weights_, slip_factors_, step.mean_velocity, before_,
+                                 after_, rest_, per_heat_, step.to.sigma_n, of(step.to), image,
+                                 heat_});
     return 0;
   }
   // Modes that follow from the pressure before the step need the pressure that follows from them.
@@ -131,8 +133,8 @@ public:
   void complete(State const& from, double tau, State const& to) override
   {
     ASPERITY_TIME_WORK("thermal pressurisation");
-    zone_->advance(modesOf(from, zone_->numModes()), tau, heat_, modesOf(to, zone_->numModes()),
-                   temperatureOf(to));
+    const ZoneFields before(from, zone_->numModes()), after(to, zone_->numModes());
+    zone_->advance(before.modes, tau, heat_, after.modes, after.temperature);
   }
 
 private:
@@ -195,7 +197,7 @@ public:
   }
 
   std::vector<State::Added> fields(State const&) const override;
-  std::vector<std::shared_ptr<FaultUnknown>> unknowns() const override { return {unknown_}; }
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override { return {unknown_}; }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
     relieve(sigma_n, unknown_->of(state));

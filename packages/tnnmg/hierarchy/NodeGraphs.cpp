@@ -1,15 +1,16 @@
 #include "tnnmg/hierarchy/NodeGraphs.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/GhostExchange.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "portability/Renamed.hpp"
-#include "tnnmg/Halo.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -20,17 +21,18 @@ using multigrid::HostGraph;
 
 namespace
 {
-multigrid::GhostMessages messagesOf(Halo const& halo)
+multigrid::GhostExchange injected(GhostExchange const& exchange)
 {
-  return {halo.sent(), halo.received(),
-          [halo](float const* sent, float* received) {
+  auto const kept = std::make_shared<const GhostExchange>(exchange);
+  return {[kept](multigrid::NodeVector const& x) {
             ASPERITY_NAME_WORK("V-cycles");
-            halo.share(sent, received);
+            kept->share<float>(x);
           },
-          [halo](float const* received, float* sent) {
+          [kept](multigrid::NodeVector const& x) {
             ASPERITY_NAME_WORK("V-cycles");
-            halo.gather(received, sent);
-          }};
+            kept->gather<float>(x, 1, x);
+          },
+          [kept](std::vector<int> const& number) { return injected(kept->renumbered(number)); }};
 }
 
 // The owned and ghost nodes of the columns of matrices, as a map of single columns.
@@ -92,7 +94,7 @@ MappedGraph makeNodeGraph(std::vector<RCP<const CrsMatrix>> const& matrices, int
     for (auto k = numLocalElements(*maps.domain); k < numLocalElements(*maps.columns); ++k) {
       ghosts.push_back(maps.columns->getGlobalElement(static_cast<LocalOrdinal>(k)));
     }
-    graph.ghosts = messagesOf(Halo(*maps.domain, ghosts));
+    graph.ghosts = injected(GhostExchange(*maps.domain, ghosts));
   }
   graph.num_columns = static_cast<int>(numLocalElements(*maps.columns)) / column_size;
   std::vector<std::vector<int>> places;

@@ -22,15 +22,15 @@ class StepControlTest : public ControlTest
 };
 
 // The normal stress as an unknown of a step, of which 1 Pa counts as 0.01 of alpha.
-class StressOfTest : public FaultUnknown
+class StressOfTest : public StepUnknown
 {
 public:
   explicit StressOfTest(int num_nodes) : scale_("scale", num_nodes)
   {
     Kokkos::deep_copy(scale_, 0.01);
   }
-  NodeView const& of(State const& state) const override { return state.sigma_n; }
-  int respond(FaultResponse const&, NodeView const&) override { return 0; }
+  NodeView of(State const& state) const override { return state.sigma_n; }
+  int respond(StepIterate const&, NodeView const&) override { return 0; }
   ConstNodeView scale() const override { return scale_; }
 
 private:
@@ -40,9 +40,9 @@ private:
 
 TEST_F(StepControlTest, MeasuresEachUnknownOnItsScale)
 {
-  FaultUnknowns unknowns(*model.surface, 2);
-  unknowns.add(std::make_shared<StateUpdate>(model.fault));
-  unknowns.add(std::make_shared<StressOfTest>(model.surface->numNodes()));
+  const StepUnknowns unknowns(*model.surface, 2,
+                              {std::make_shared<StateUpdate>(model.fault),
+                               std::make_shared<StressOfTest>(model.surface->numNodes())});
   auto other = state.clone();
   other.alpha = model.nodeView([](Point<2> const& x) { return -1.25 + std::sin(9 * x[0]); });
   for (Norm norm : {Norm::root_mean_square, Norm::maximum}) {
