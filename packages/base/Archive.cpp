@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 
-#include <algorithm>
 #include <array>
 
 namespace asperity
@@ -22,12 +21,6 @@ std::string const& Archive::nodesOf(std::string const& path) const
   static const std::string none;
   const auto found = nodes_.find(path);
   return found == nodes_.end() ? none : found->second;
-}
-
-bool Archive::belongsTo(std::string const& nodes) const
-{
-  return std::any_of(nodes_.begin(), nodes_.end(),
-                     [&](auto const& entry) { return entry.second == nodes; });
 }
 
 Archive Archive::child(std::string const& path) const

@@ -10,8 +10,9 @@
 
 namespace asperity
 {
-// The values that one rank needs to go on exactly where it stopped, by path, for example
-// "state/velocity". A path may hold an integer, a double, a string or a vector of the first two.
+// The values that a run needs to go on exactly where it stopped, by path, for example
+// "state/velocity". A path may hold an integer, a double, a string or a vector of the first two. A
+// checkpoint has the values of rank 0, and the values at nodes of all ranks.
 class Archive
 {
 public:
@@ -29,9 +30,8 @@ public:
   }
 
   // A list with the same number of values for each node of a set, in the order of this rank's
-  // nodes: (num_nodes, any number), or empty on all ranks. A restart on other ranks sends the
-  // values to the ranks that have the nodes then. The name of the set has no blanks; NodeSets has
-  // its nodes.
+  // nodes: (num_nodes, any number), or empty on all ranks. All ranks set the same paths. A restart,
+  // on whatever ranks, gives each rank the values at its nodes; NodeSets has the nodes of the set.
   template <class T>
   void setAtNodes(std::string const& path, std::vector<T> const& values, std::string const& nodes)
   {
@@ -40,8 +40,6 @@ public:
   }
   // The set of nodes that the value belongs to, or "".
   std::string const& nodesOf(std::string const& path) const;
-  // Whether some value belongs to that set.
-  bool belongsTo(std::string const& nodes) const;
 
   // archive.get<double>("time"); InputError if the path is missing or holds another type.
   template <class T>

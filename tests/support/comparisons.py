@@ -52,3 +52,12 @@ def assert_same_effort(test, reference, folder):
         test.assertEqual((ours["energy_rises"], theirs["energy_rises"]), (0, 0))
     total = [sum(row["tnnmg_iterations"] for row in rows) for rows in tables]
     test.assertLess(abs(total[1] - total[0]), 0.05 * total[0])
+
+
+def triangles_at(corners, points):
+    """For each of the points (n, 2) the number of the one triangle (m, 3, 2) in which it lies."""
+    edges = numpy.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)
+    shares = numpy.linalg.solve(edges, (points[:, None] - corners[:, 0])[..., None])[..., 0]
+    is_inside = (shares >= 0).all(axis=2) & (shares.sum(axis=2) <= 1)
+    assert (is_inside.sum(axis=1) == 1).all()
+    return is_inside.argmax(axis=1)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace asperity::catalogue
 {
@@ -22,30 +23,30 @@ Values part(Values const& points, int dimension, std::size_t first, std::size_t 
 }
 } // namespace
 
-Interpolation::Interpolation(io::OutputDomain const& from, io::OutputDomain const& to,
-                             std::string const& run)
+Interpolation::Interpolation(io::OutputDomain const& from, Values points, std::string const& run)
     : from_(from)
-    , to_(to)
     , location_(from)
-    , searched_(to.coordinates)
+    , points_(std::move(points))
+    , searched_(points_)
     , run_(run)
 {
 }
 
-std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
-                                              int components) const
+std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields, int components,
+                                              io::Centring centring) const
 {
   constexpr std::size_t points_at_once = 4096; // bounds what ranks know of each other's points
-  const int rank = to_.comm->getRank(), num_ranks = to_.comm->getSize();
+  const int rank = from_.comm->getRank(), num_ranks = from_.comm->getSize();
+  const std::size_t num_points = points_.size() / static_cast<std::size_t>(from_.dimension);
   std::vector<Values> result(fields.size());
   for (int asking = 0; asking < num_ranks; ++asking) {
-    const auto size = maxOverRanks(rank == asking ? GlobalOrdinal(to_.numOwned()) : 0, *to_.comm);
+    const auto size = maxOverRanks(rank == asking ? GlobalOrdinal(num_points) : 0, *from_.comm);
     for (std::size_t first = 0; first < static_cast<std::size_t>(size); first += points_at_once) {
       const auto last = std::min(first + points_at_once, static_cast<std::size_t>(size));
-      const auto located = rank == asking ? find(part(to_.coordinates, to_.dimension, first, last),
-                                                 part(searched_, to_.dimension, first, last))
+      const auto located = rank == asking ? find(part(points_, from_.dimension, first, last),
+                                                 part(searched_, from_.dimension, first, last))
                                           : find({}, {});
-      const Sampling sampling(from_, located);
+      const Sampling sampling(from_, located, centring);
       for (std::size_t i = 0; i < fields.size(); ++i) {
         auto const values = sampling(fields[i], components);
         if (rank == asking) {
@@ -61,12 +62,12 @@ std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
 std::vector<LocatedPoint> Interpolation::find(Values const& points, Values const& searched) const
 {
   constexpr double tolerance = 0.1; // of an element: chords of a curved boundary lie so far apart
-  auto const all = gatherToAll(points, *to_.comm);
-  auto const located = location_(all, gatherToAll(searched, *to_.comm));
+  auto const all = gatherToAll(points, *from_.comm);
+  auto const located = location_(all, gatherToAll(searched, *from_.comm));
   for (std::size_t i = 0; i < located.size(); ++i) {
     ASPERITY_REQUIRE(located[i].distance <= tolerance * located[i].element_size,
-                     "The point " << formatPoint(part(all, to_.dimension, i, i + 1)) << " of the "
-                                  << to_.name << " is " << formatShort(located[i].distance)
+                     "The point " << formatPoint(part(all, from_.dimension, i, i + 1)) << " of the "
+                                  << from_.name << " is " << formatShort(located[i].distance)
                                   << " m outside that of the run of --restart-from " << run_
                                   << ", which has no values there. Give both the same extent.");
   }

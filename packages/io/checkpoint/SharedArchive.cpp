@@ -2,13 +2,14 @@
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"
-#include "base/parallel/Gather.hpp"
-#include "base/parallel/Messages.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
 
 #include <algorithm>
-#include <map>
-#include <sstream>
+#include <cstring>
+#include <set>
+#include <stdexcept>
 
 namespace asperity::io::detail
 {
@@ -25,7 +26,9 @@ enum Kind : std::int64_t
 };
 static_assert(std::variant_size_v<Archive::Value> == num_kinds);
 
-std::string pathOf(ArchiveEntry const& entry) { return "values/" + entry.path; }
+constexpr char const* no_nodes = "-";
+
+std::string pathOf(std::string const& entry) { return "values/" + entry; }
 
 h5::Type typeOf(std::int64_t kind)
 {
@@ -54,9 +57,9 @@ void withNumbers(Value& value, Use const& use)
     value);
 }
 
-Archive::Value valueOf(std::int64_t kind, std::int64_t size)
+// A value of this kind that consists of `count` numbers.
+Archive::Value valueOf(std::int64_t kind, std::size_t count)
 {
-  const auto count = static_cast<std::size_t>(size);
   switch (kind) {
   case integer: return std::int64_t(0);
   case real: return 0.0;
@@ -66,271 +69,306 @@ Archive::Value valueOf(std::int64_t kind, std::int64_t size)
   }
 }
 
-std::vector<ArchiveEntry> entriesOfAll(Archive const& archive, Communicator const& comm)
+// A sum over the numbers of a value, of which these are the ones from place `first` on: the sums of
+// its blocks give that of the whole.
+template <class Number>
+std::uint64_t checksumOf(Number const* numbers, std::size_t size, std::uint64_t first)
 {
-  std::vector<ArchiveEntry> mine;
-  for (auto const& [path, value] : archive.values()) {
-    mine.push_back({path, std::int64_t(value.index()), archive.nodesOf(path)});
+  std::uint64_t sum = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &numbers[i], sizeof(Number));
+    sum += splitMix(splitMix(first + i) ^ bits);
   }
-  const std::string lines = linesOf(mine);
-  const auto all = gatherToAll(std::vector<char>(lines.begin(), lines.end()), comm);
-  std::map<std::string, ArchiveEntry> known;
-  for (auto const& entry : entriesOf(std::string(all.begin(), all.end()))) {
-    auto const& first = known.emplace(entry.path, entry).first->second;
-    // Ranks may have different values of a path, but of the same kind.
-    ASPERITY_ASSERT(first.kind == entry.kind && first.nodes == entry.nodes);
-  }
-  std::vector<ArchiveEntry> entries;
-  entries.reserve(known.size());
-  for (auto const& [path, entry] : known) {
-    entries.push_back(entry);
-  }
-  return entries;
+  return sum;
 }
 
-constexpr char const* no_nodes = "-";
-
-// A rank's part of a value is written or read in rounds; all ranks have the same number of rounds.
-class Rounds
+// Integers as MPI sends them.
+std::vector<double> const& sent(std::vector<double> const& values) { return values; }
+std::vector<long long> sent(std::vector<std::int64_t> const& values)
 {
-public:
-  Rounds(std::int64_t first, std::int64_t size, std::int64_t largest, std::size_t numbers)
-      : first_(static_cast<hsize_t>(first))
-      , mine_(static_cast<std::uint64_t>(size), numbers)
-      , largest_(static_cast<std::uint64_t>(largest), numbers)
-  {
-  }
+  return {values.begin(), values.end()};
+}
 
-  // Calls use(offset, part): numbers of this rank from `offset` on are the part of the dataset.
-  template <class Use>
-  void forEach(Use const& use) const
-  {
-    for (std::uint64_t round = 0; round < largest_.count(); ++round) {
-      const bool is_here = round < mine_.count();
-      const std::uint64_t offset = is_here ? mine_.first(round) : 0;
-      use(offset, is_here ? h5::Part{first_ + offset, hsize_t(mine_.size(round))} : h5::Part());
+// How many numbers each node has, the same on all ranks.
+std::size_t componentsOf(std::string const& path, std::size_t size, NodeOrder const& order,
+                         Communicator const& comm)
+{
+  const auto total = sumOverRanks(static_cast<std::int64_t>(size), comm);
+  const auto nodes = static_cast<std::int64_t>(order.blocks.total());
+  const auto components = nodes > 0 ? total / nodes : 0;
+  onEveryRank(comm, [&] {
+    if (size != order.blocks.numOwned() * static_cast<std::size_t>(components)) {
+      throw std::logic_error("asperity::io: values of '" + path +
+                             "' are not equally many at each node");
     }
-  }
-
-private:
-  hsize_t first_;
-  Pieces mine_, largest_;
-};
-
-void requireShape(h5::Dataset const& dataset, h5::Shape const& shape, h5::Type type)
-{
-  if (dataset.shape() != shape || dataset.type() != type) {
-    throw h5::Error(dataset.what() + " has another shape or type than sizes and kinds say.");
-  }
+  });
+  return static_cast<std::size_t>(components);
 }
 
-void put(Archive& archive, ArchiveEntry const& entry, Archive::Value const& value)
+// Writes the values at nodes and returns their checksum, on rank 0 the one of all ranks.
+template <class T>
+std::int64_t writeAtNodes(std::optional<h5::File>& file, std::string const& path,
+                          std::vector<T> const& values, NodeOrder const& order,
+                          Communicator const& comm)
 {
-  std::visit(
-    [&](auto const& each) {
-      using Each = std::decay_t<decltype(each)>;
-      if constexpr (std::is_same_v<Each, std::vector<double>> ||
-                    std::is_same_v<Each, std::vector<std::int64_t>>) {
-        if (!entry.nodes.empty()) {
-          archive.setAtNodes(entry.path, each, entry.nodes);
-          return;
-        }
-      }
-      archive.set(entry.path, each);
-    },
-    value);
-}
-} // namespace
-
-bool isRealList(ArchiveEntry const& entry) { return entry.kind == reals; }
-
-std::string linesOf(std::vector<ArchiveEntry> const& entries)
-{
-  std::ostringstream lines;
-  for (auto const& entry : entries) {
-    lines << entry.kind << ' ' << (entry.nodes.empty() ? no_nodes : entry.nodes) << ' '
-          << entry.path << '\n';
-  }
-  return lines.str();
-}
-
-std::vector<ArchiveEntry> entriesOf(std::string const& lines)
-{
-  std::istringstream stream(lines);
-  std::vector<ArchiveEntry> entries;
-  ArchiveEntry entry;
-  while (stream >> entry.kind >> entry.nodes && stream.get() && std::getline(stream, entry.path)) {
-    entry.nodes = entry.nodes == no_nodes ? "" : entry.nodes;
-    entries.push_back(entry);
-  }
-  return entries;
-}
-
-ArchiveLayout::ArchiveLayout(Archive const& archive, Communicator const& comm)
-    : entries_(entriesOfAll(archive, comm))
-{
-  std::vector<std::int64_t> counts;
-  for (auto const& entry : entries_) {
-    const auto found = archive.values().find(entry.path);
-    sizes_.push_back(-1);
-    if (found != archive.values().end()) {
-      withNumbers(found->second, [this](auto const*, std::size_t size) {
-        sizes_.back() = static_cast<std::int64_t>(size);
-      });
+  const auto components = componentsOf(path, values.size(), order, comm);
+  auto const block = order.blocks(sent(values), 1, components);
+  using Number = typename std::decay_t<decltype(block)>::value_type;
+  std::optional<h5::Dataset> dataset;
+  hsize_t first = 0;
+  onRoot(comm, [&] {
+    dataset = file->create(pathOf(path), h5::typeOf<Number>(),
+                           {hsize_t(order.blocks.total()) * components});
+  });
+  std::uint64_t sum = 0;
+  visitInOrder<Number>(block, comm, [&](std::vector<Number> const& numbers) {
+    if (!numbers.empty()) {
+      dataset->writePart(numbers.data(), {first, numbers.size()});
     }
-    counts.push_back(std::max(sizes_.back(), std::int64_t(0)));
-  }
-  firsts_.assign(counts.size(), 0);
-  MPI_Exscan(counts.data(), firsts_.data(), static_cast<int>(counts.size()), MPI_INT64_T, MPI_SUM,
-             rawCommunicator(comm));
-  if (comm.getRank() == 0) {
-    firsts_.assign(counts.size(), 0); // MPI leaves it undefined
-  }
-  totals_ = sumOverRanks(counts, comm);
-  largest_ = maxOverRanks(counts, comm);
+    sum += checksumOf(numbers.data(), numbers.size(), first);
+    first += numbers.size();
+  });
+  return static_cast<std::int64_t>(sum);
 }
 
-ArchiveLayout::ArchiveLayout(std::vector<ArchiveEntry> const& entries,
-                             std::vector<std::int64_t> const& sizes, std::optional<std::size_t> row,
-                             Wanted const& wanted, Communicator const& comm)
-    : entries_(entries)
-    , sizes_(entries.size(), -1)
-    , firsts_(entries.size(), 0)
-    , totals_(entries.size(), 0)
+// Of rank 0.
+std::int64_t writeCommon(h5::File& file, std::string const& path, Archive::Value const& value)
 {
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    const std::size_t e = i % entries.size();
-    const auto size = std::max(sizes[i], std::int64_t(0));
-    totals_[e] += size;
-    firsts_[e] += row && i / entries.size() < *row ? size : 0;
-    if (row && i / entries.size() == *row && wanted(entries[e])) {
-      sizes_[e] = sizes[i];
-    }
-  }
-  auto counts = sizes_;
-  std::replace(counts.begin(), counts.end(), std::int64_t(-1), std::int64_t(0));
-  largest_ = maxOverRanks(counts, comm);
+  std::uint64_t sum = 0;
+  withNumbers(value, [&](auto const* numbers, std::size_t size) {
+    file.store(pathOf(path), numbers, {hsize_t(size)});
+    sum = checksumOf(numbers, size, 0);
+  });
+  return static_cast<std::int64_t>(sum);
 }
 
-void ArchiveLayout::create(h5::File& file, int num_ranks) const
+void writeContents(h5::File& file, Contents const& contents)
 {
-  std::vector<std::string> paths;
-  std::vector<std::string> nodes;
-  std::vector<std::int64_t> kinds;
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
-    paths.push_back(entries_[e].path);
-    nodes.push_back(entries_[e].nodes.empty() ? no_nodes : entries_[e].nodes);
-    kinds.push_back(entries_[e].kind);
-    file.create(pathOf(entries_[e]), typeOf(entries_[e].kind), {hsize_t(totals_[e])});
+  std::vector<std::string> paths, nodes, sets;
+  std::vector<std::int64_t> kinds, checksums, set_sizes, set_checksums;
+  for (auto const& entry : contents.entries) {
+    paths.push_back(entry.path);
+    nodes.push_back(entry.nodes.empty() ? no_nodes : entry.nodes);
+    kinds.push_back(entry.kind);
+    checksums.push_back(entry.checksum);
+  }
+  for (auto const& set : contents.sets) {
+    sets.push_back(set.name);
+    set_sizes.push_back(set.size);
+    set_checksums.push_back(set.checksum);
   }
   file.createTexts("entries", paths, h5::TextLength::fixed);
   file.createTexts("nodes", nodes, h5::TextLength::fixed);
   file.store("kinds", kinds.data(), {kinds.size()});
-  file.create("sizes", h5::Type::int64, {hsize_t(num_ranks), entries_.size()});
-  file.create("checksums", h5::Type::int64, {hsize_t(num_ranks)});
+  file.store("checksums", checksums.data(), {checksums.size()});
+  file.createTexts("sets", sets, h5::TextLength::fixed);
+  file.store("set_sizes", set_sizes.data(), {set_sizes.size()});
+  file.store("set_checksums", set_checksums.data(), {set_checksums.size()});
 }
 
-void ArchiveLayout::write(h5::File& file, Archive const& archive, Communicator const& comm,
-                          std::size_t round) const
+// All ranks have the same values at nodes.
+void requireSameEntries(Archive const& archive, Communicator const& comm)
 {
-  const h5::Part mine{hsize_t(comm.getRank()), 1};
-  const std::int64_t checksum = checksumOf(archive);
-  file.openDataset("checksums").writePart(&checksum, mine);
-  if (!entries_.empty()) {
-    file.openDataset("sizes").writePart(sizes_.data(), mine);
-  }
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
-    const auto found = archive.values().find(entries_[e].path);
-    const auto nothing = valueOf(entries_[e].kind, 0);
-    auto const& value = found == archive.values().end() ? nothing : found->second;
-    const auto size = std::max(sizes_[e], std::int64_t(0));
-    Rounds(firsts_[e], size, largest_[e], round).forEach([&](auto offset, h5::Part const& part) {
-      auto dataset = file.openDataset(pathOf(entries_[e]));
-      withNumbers(value, [&](auto const* numbers, std::size_t) {
-        dataset.writePart(numbers + offset, part);
-      });
-    });
-  }
-}
-
-Archive ArchiveLayout::read(h5::File const& file, Together const& together, std::size_t round) const
-{
-  Archive archive;
-  for (std::size_t e = 0; e < entries_.size(); ++e) {
-    const auto kind = entries_[e].kind;
-    const auto size = std::max(sizes_[e], std::int64_t(0));
-    together([&] {
-      requireShape(file.openDataset(pathOf(entries_[e])), {hsize_t(totals_[e])}, typeOf(kind));
-    });
-    auto value = valueOf(kind, size);
-    Rounds(firsts_[e], size, largest_[e], round).forEach([&](auto offset, h5::Part const& part) {
-      together([&] {
-        const auto dataset = file.openDataset(pathOf(entries_[e]));
-        withNumbers(value,
-                    [&](auto* numbers, std::size_t) { dataset.readPart(numbers + offset, part); });
-      });
-    });
-    if (sizes_[e] >= 0) {
-      put(archive, entries_[e], value);
+  Checksum checksum;
+  for (auto const& [path, value] : archive.values()) {
+    if (auto const& nodes = archive.nodesOf(path); !nodes.empty()) {
+      checksum.add(path).add(std::uint64_t(value.index())).add(nodes);
     }
   }
-  return archive;
+  const auto mine = static_cast<std::int64_t>(checksum.value());
+  if (minOverRanks(mine, comm) != maxOverRanks(mine, comm)) {
+    throw std::logic_error("asperity::io: ranks save different values at nodes");
+  }
 }
 
-std::vector<ArchiveEntry> readEntries(h5::File const& file)
+// The names of the sets of nodes to which values of the archive belong, sorted.
+std::vector<std::string> setsOf(Archive const& archive)
+{
+  std::set<std::string> names;
+  for (auto const& [path, value] : archive.values()) {
+    names.insert(archive.nodesOf(path));
+  }
+  names.erase("");
+  return {names.begin(), names.end()};
+}
+
+// A value of the file, or this rank's block of it.
+struct Block
+{
+  Archive::Value value;
+  std::size_t components = 0;
+  std::uint64_t checksum = 0; // the sum over the ranks is that of the entry
+};
+
+void refuseShape(h5::Dataset const& dataset)
+{
+  throw h5::Error(dataset.what() + " has another shape or type than its kind says.");
+}
+
+// order: null for what belongs to no nodes.
+Block readBlock(h5::File const& file, Contents::Entry const& entry, NodeOrder const* order,
+                bool is_root)
+{
+  const auto dataset = file.openDataset(pathOf(entry.path));
+  const auto shape = dataset.shape();
+  const bool is_single = entry.kind == integer || entry.kind == real;
+  if (shape.size() != 1 || dataset.type() != typeOf(entry.kind) || (is_single && shape[0] != 1)) {
+    refuseShape(dataset);
+  }
+  dataset.requireStorage();
+  Block block;
+  h5::Part part{0, shape[0]};
+  if (order != nullptr) {
+    const auto nodes = static_cast<hsize_t>(order->blocks.total());
+    block.components = nodes > 0 ? shape[0] / nodes : 0;
+    if (shape[0] != block.components * nodes) {
+      refuseShape(dataset);
+    }
+    part = {hsize_t(order->blocks.first()) * block.components,
+            hsize_t(order->blocks.count()) * block.components};
+  }
+  block.value = valueOf(entry.kind, part.count);
+  withNumbers(block.value, [&](auto* numbers, std::size_t size) {
+    dataset.readAlone(numbers, part);
+    if (order != nullptr || is_root) {
+      block.checksum = checksumOf(numbers, size, part.first);
+    }
+  });
+  return block;
+}
+
+// Puts the value into the archive, that of a block where this rank's nodes are. Collective.
+void put(Archive& archive, Contents::Entry const& entry, Block const& block, NodeOrder const* order)
+{
+  std::visit(
+    [&](auto const& value) {
+      using Value = std::decay_t<decltype(value)>;
+      if constexpr (std::is_same_v<Value, std::vector<double>> ||
+                    std::is_same_v<Value, std::vector<std::int64_t>>) {
+        if (order != nullptr) {
+          auto const mine = order->blocks.back(sent(value), block.components);
+          archive.setAtNodes(entry.path, Value(mine.begin(), mine.end()), entry.nodes);
+          return;
+        }
+      }
+      archive.set(entry.path, value);
+    },
+    block.value);
+}
+
+NodeOrder const* orderFor(Contents::Entry const& entry, NodeOrders const& orders)
+{
+  return entry.nodes.empty() ? nullptr : &orders.at(entry.nodes);
+}
+} // namespace
+
+NodeOrders ordersOf(NodeSets const& here, std::vector<std::string> const& names,
+                    Communicator const& comm)
+{
+  NodeOrders orders;
+  for (auto const& name : names) {
+    if (const auto found = here.find(name); found != here.end()) {
+      orders.emplace(name, orderOf(found->second, comm));
+    }
+  }
+  return orders;
+}
+
+void writeArchive(std::optional<h5::File>& file, Archive const& archive, NodeSets const& here,
+                  Communicator const& comm)
+{
+  requireSameEntries(archive, comm); // or ranks would wait for each other
+  const auto orders = ordersOf(here, setsOf(archive), comm);
+  Contents contents;
+  for (auto const& [path, value] : archive.values()) {
+    contents.entries.push_back({path, std::int64_t(value.index()), archive.nodesOf(path), 0});
+    auto& entry = contents.entries.back();
+    if (!entry.nodes.empty()) {
+      auto const& order = orders.at(entry.nodes);
+      entry.checksum =
+        entry.kind == reals
+          ? writeAtNodes(file, path, std::get<std::vector<double>>(value), order, comm)
+          : writeAtNodes(file, path, std::get<std::vector<std::int64_t>>(value), order, comm);
+    }
+  }
+  for (auto const& [name, order] : orders) {
+    contents.sets.push_back({name, std::int64_t(order.blocks.total()), order.checksum});
+  }
+  onRoot(comm, [&] {
+    for (auto& entry : contents.entries) {
+      if (entry.nodes.empty()) {
+        entry.checksum = writeCommon(*file, entry.path, archive.values().at(entry.path));
+      }
+    }
+    writeContents(*file, contents);
+  });
+}
+
+Contents readContents(h5::File const& file)
 {
   const auto paths = file.openDataset("entries").readTexts();
   const auto nodes = file.openDataset("nodes").readTexts();
   const auto kinds = file.openDataset("kinds").read<std::int64_t>();
+  const auto checksums = file.openDataset("checksums").read<std::int64_t>();
+  const auto sets = file.openDataset("sets").readTexts();
+  const auto set_sizes = file.openDataset("set_sizes").read<std::int64_t>();
+  const auto set_checksums = file.openDataset("set_checksums").read<std::int64_t>();
   const bool is_known = std::all_of(kinds.begin(), kinds.end(), [](std::int64_t kind) {
     return kind >= 0 && kind < std::int64_t(num_kinds);
   });
-  if (kinds.size() != paths.size() || nodes.size() != paths.size() || !is_known) {
-    throw h5::Error("Entries and kinds in " + file.what() + " do not fit each other.");
+  if (kinds.size() != paths.size() || nodes.size() != paths.size() ||
+      checksums.size() != paths.size() || set_sizes.size() != sets.size() ||
+      set_checksums.size() != sets.size() || !is_known) {
+    throw h5::Error("Entries, kinds and sets in " + file.what() + " do not fit each other.");
   }
-  std::vector<ArchiveEntry> entries;
+  Contents contents;
+  for (std::size_t s = 0; s < sets.size(); ++s) {
+    contents.sets.push_back({sets[s], set_sizes[s], set_checksums[s]});
+  }
   for (std::size_t e = 0; e < paths.size(); ++e) {
-    if ((kinds[e] != reals && kinds[e] != integers) && nodes[e] != no_nodes) {
+    const bool is_list = kinds[e] == reals || kinds[e] == integers;
+    const bool has_set = std::find(sets.begin(), sets.end(), nodes[e]) != sets.end();
+    if (nodes[e] != no_nodes && (!is_list || !has_set)) {
       throw h5::Error(paths[e] + " in " + file.what() + " cannot belong to nodes.");
     }
-    entries.push_back({paths[e], kinds[e], nodes[e] == no_nodes ? "" : nodes[e]});
+    contents.entries.push_back(
+      {paths[e], kinds[e], nodes[e] == no_nodes ? "" : nodes[e], checksums[e]});
   }
-  return entries;
+  return contents;
 }
 
-std::vector<std::int64_t> readSizes(h5::File const& file, std::vector<ArchiveEntry> const& entries,
-                                    std::size_t num_ranks)
+Archive readArchive(h5::File const& file, Contents const& contents, NodeOrders const& orders,
+                    Together const& together, Communicator const& comm)
 {
-  const auto dataset = file.openDataset("sizes");
-  requireShape(dataset, {num_ranks, entries.size()}, h5::Type::int64);
-  requireShape(file.openDataset("checksums"), {num_ranks}, h5::Type::int64);
-  auto sizes = dataset.read<std::int64_t>();
-  for (std::size_t e = 0; e < entries.size(); ++e) {
-    const auto values = file.openDataset(pathOf(entries[e]));
-    const auto shape = values.shape();
-    // No size is larger than what is left: sums cannot overflow.
-    auto left = shape.size() == 1 ? static_cast<std::int64_t>(shape[0]) : -1;
-    const bool is_single = entries[e].kind == integer || entries[e].kind == real;
-    for (std::size_t rank = 0; rank < num_ranks; ++rank) {
-      const std::int64_t size = sizes[rank * entries.size() + e];
-      if (size < -1 || size > left || (is_single && size != -1 && size != 1)) {
-        throw h5::Error(values.what() + " has another shape or type than sizes and kinds say.");
-      }
-      left -= std::max(size, std::int64_t(0));
+  for (auto const& set : contents.sets) { // the same on all ranks
+    const auto order = orders.find(set.name);
+    ASPERITY_REQUIRE(order != orders.end(), "The checkpoint has values at the nodes of '"
+                                              << set.name
+                                              << "', which this run does not have. It was written "
+                                                 "by another version or for another deck.");
+    ASPERITY_REQUIRE(set.size == std::int64_t(order->second.blocks.total()) &&
+                       set.checksum == order->second.checksum,
+                     "The checkpoint has other nodes than the mesh. It belongs to another mesh.");
+  }
+  std::vector<Block> blocks;
+  std::vector<std::int64_t> checksums;
+  together([&] {
+    for (auto const& entry : contents.entries) {
+      blocks.push_back(readBlock(file, entry, orderFor(entry, orders), comm.getRank() == 0));
+      checksums.push_back(static_cast<std::int64_t>(blocks.back().checksum));
     }
+  });
+  checksums = sumOverRanks(checksums, comm);
+  Archive archive;
+  for (std::size_t e = 0; e < blocks.size(); ++e) {
+    auto const& entry = contents.entries[e];
+    if (checksums[e] != entry.checksum) {
+      throw h5::Error("The values of '" + entry.path + "' differ from what was written.");
+    }
+    put(archive, entry, blocks[e], orderFor(entry, orders));
+    blocks[e] = Block();
   }
-  return sizes;
-}
-
-std::int64_t checksumOf(Archive const& archive)
-{
-  Checksum checksum;
-  for (auto const& [path, value] : archive.values()) {
-    checksum.add(path).add(std::uint64_t(value.index()));
-    withNumbers(value, [&](auto const* numbers, std::size_t size) {
-      checksum.add(std::vector(numbers, numbers + size));
-    });
-  }
-  return static_cast<std::int64_t>(checksum.value());
+  return archive;
 }
 } // namespace asperity::io::detail

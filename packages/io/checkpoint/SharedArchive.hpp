@@ -2,78 +2,64 @@
 
 #include "base/Archive.hpp"
 #include "base/Types.hpp"
-#include "base/parallel/Messages.hpp"
 #include "hdf5/File.hpp"
+#include "io/checkpoint/NodeOrder.hpp"
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
-// The archives of all ranks in one HDF5 file, which all ranks write and read together.
+// The archive of a run in one HDF5 file, which is the same on any number of ranks.
 //
 // /entries (num_entries) the paths of all values, /kinds (num_entries) which alternative of
-// Archive::Value each is, /nodes (num_entries) the set of nodes that it belongs to, "-" for none;
-// /values/<path> the numbers or bytes of one rank after the other; /sizes (num_ranks, num_entries)
-// how many of them each rank has, -1 where it has no such value; /checksums (num_ranks). So the
-// number of objects in the file does not grow with the ranks.
+// Archive::Value each is, /nodes (num_entries) the set of nodes that it belongs to, "-" for none,
+// /checksums (num_entries); /sets (num_sets) the names of these sets, /set_sizes and
+// /set_checksums (num_sets) of their nodes' numbers; /values/<path> the numbers or bytes: those of
+// rank 0, or, at nodes, (num_nodes, any number) in the order of the nodes' numbers.
 namespace asperity::io::detail
 {
-struct ArchiveEntry
+using NodeOrders = std::map<std::string, NodeOrder>;
+
+// The order of each set of `here` that is among `names`. The communicator must outlive the result.
+// Collective.
+NodeOrders ordersOf(NodeSets const& here, std::vector<std::string> const& names,
+                    Communicator const& comm);
+
+// Writes the values to `file`, which rank 0 alone has open: values at nodes pass through it, one
+// rank's block after the other. `here` has the nodes of the sets that the archive names.
+// std::exception, on every rank, if ranks have other values at nodes. Collective.
+void writeArchive(std::optional<h5::File>& file, Archive const& archive, NodeSets const& here,
+                  Communicator const& comm);
+
+// What writeArchive has written, without the values.
+struct Contents
 {
-  std::string path;
-  std::int64_t kind = 0; // index in Archive::Value
-  std::string nodes;     // name of a set of nodes, or ""
+  struct Entry
+  {
+    std::string path;
+    std::int64_t kind = 0; // index in Archive::Value
+    std::string nodes;     // name of a set of nodes, or ""
+    std::int64_t checksum = 0;
+  };
+  struct Set
+  {
+    std::string name;
+    std::int64_t size = 0, checksum = 0; // of the nodes' numbers
+  };
+  std::vector<Entry> entries;
+  std::vector<Set> sets;
 };
 
-// Whether values of the entry are lists of real numbers.
-bool isRealList(ArchiveEntry const& entry);
+// Throws h5::Error if the parts do not fit each other.
+Contents readContents(h5::File const& file);
 
-// As one line of text for each, and back.
-std::string linesOf(std::vector<ArchiveEntry> const& entries);
-std::vector<ArchiveEntry> entriesOf(std::string const& lines);
+// Runs a step of the work on every rank, and throws on all of them what one of them throws.
+using Together = std::function<void(std::function<void()> const&)>;
 
-// The most numbers that a rank writes or reads at a time: HDF5 and MPI count bytes with int.
-constexpr std::size_t numbers_per_round = largest_piece / sizeof(double);
-
-// The values of all ranks, and where those of this rank stand in the file. Sizes have 64 bits.
-class ArchiveLayout
-{
-public:
-  // The entries are those of any rank, sorted by path. Collective.
-  ArchiveLayout(Archive const& archive, Communicator const& comm);
-
-  // What a rank reads: the archive of the rank `row` that wrote the file, of which it wants some
-  // entries, or nothing if there is no such rank. sizes(num_ranks, num_entries), valid as of
-  // readSizes. Collective.
-  using Wanted = std::function<bool(ArchiveEntry const&)>;
-  ArchiveLayout(std::vector<ArchiveEntry> const& entries, std::vector<std::int64_t> const& sizes,
-                std::optional<std::size_t> row, Wanted const& wanted, Communicator const& comm);
-
-  std::vector<ArchiveEntry> const& entries() const { return entries_; }
-
-  // Rank 0 makes the datasets; then all ranks write, each what it has. `write` is collective.
-  void create(h5::File& file, int num_ranks) const;
-  void write(h5::File& file, Archive const& archive, Communicator const& comm,
-             std::size_t round = numbers_per_round) const;
-
-  // Runs a step of the work on every rank, and throws on all of them what one of them throws.
-  using Together = std::function<void(std::function<void()> const&)>;
-
-  // The archive of this rank. Steps throw h5::Error for what is damaged. Collective.
-  Archive read(h5::File const& file, Together const& together,
-               std::size_t round = numbers_per_round) const;
-
-private:
-  std::vector<ArchiveEntry> entries_;
-  std::vector<std::int64_t> sizes_, firsts_;   // of this rank, (num_entries)
-  std::vector<std::int64_t> totals_, largest_; // over the ranks, (num_entries)
-};
-
-// What ArchiveLayout::create has made, read by each rank for itself. Throws h5::Error, also if it
-// does not fit the values.
-std::vector<ArchiveEntry> readEntries(h5::File const& file);
-std::vector<std::int64_t> readSizes(h5::File const& file, std::vector<ArchiveEntry> const& entries,
-                                    std::size_t num_ranks);
-
-// Of the paths and values, in their order.
-std::int64_t checksumOf(Archive const& archive);
+// The archive of this rank. All ranks have the file open, each for itself. Steps throw h5::Error
+// for what is damaged, InputError if a set has other nodes now. Collective.
+Archive readArchive(h5::File const& file, Contents const& contents, NodeOrders const& orders,
+                    Together const& together, Communicator const& comm);
 } // namespace asperity::io::detail

@@ -4,30 +4,34 @@
 #include "base/parallel/Messages.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace asperity::io
 {
-NodeBlocks::NodeBlocks(OutputDomain const& domain) : domain_(domain)
+NodeBlocks::NodeBlocks(std::vector<GlobalOrdinal> const& node_numbers, GlobalOrdinal num_global,
+                       Communicator const& comm)
+    : comm_(comm)
+    , total_(num_global)
 {
-  for (const GlobalOrdinal number : domain.node_numbers) {
+  std::vector<GlobalOrdinal> items; // number and owner
+  items.reserve(2 * node_numbers.size());
+  for (const GlobalOrdinal number : node_numbers) {
     destinations_.push_back(rankOf(number));
+    items.insert(items.end(), {number, comm.getRank()});
   }
-  for (const GlobalOrdinal number :
-       sendItems(domain.node_numbers, 1, destinations_, *domain.comm)) {
-    numbers_.push_back(static_cast<std::size_t>(number - first()));
+  const auto arrived = sendItems(items, 2, destinations_, comm);
+  for (auto item = arrived.begin(); item != arrived.end(); item += 2) {
+    numbers_.push_back(static_cast<std::size_t>(item[0] - first()));
+    owners_.push_back(static_cast<int>(item[1]));
   }
   ASPERITY_ASSERT(static_cast<GlobalOrdinal>(numbers_.size()) == count());
 }
 
-GlobalOrdinal NodeBlocks::begin(int rank) const
-{
-  return domain_.num_global_nodes * rank / domain_.comm->getSize();
-}
+GlobalOrdinal NodeBlocks::begin(int rank) const { return total_ * rank / comm_.getSize(); }
 
 int NodeBlocks::rankOf(GlobalOrdinal number) const
 {
-  const int ranks = domain_.comm->getSize();
-  auto rank = static_cast<int>(number * ranks / domain_.num_global_nodes);
+  auto rank = static_cast<int>(number * comm_.getSize() / total_);
   while (number >= begin(rank + 1)) { // integer division may be one short
     ++rank;
   }
@@ -67,13 +71,43 @@ template <class T>
 std::vector<T> NodeBlocks::operator()(std::vector<T> const& mine, std::size_t num_rows,
                                       std::size_t num_components) const
 {
-  ASPERITY_ASSERT(mine.size() == num_rows * domain_.numOwned() * num_components);
-  return inBlock(mine, domain_.numOwned(), num_rows, num_components, destinations_, numbers_,
-                 *domain_.comm);
+  const std::size_t owned = destinations_.size();
+  ASPERITY_ASSERT(mine.size() == num_rows * owned * num_components);
+  return inBlock(mine, owned, num_rows, num_components, destinations_, numbers_, comm_);
 }
 
-template std::vector<double> NodeBlocks::operator()(std::vector<double> const&, std::size_t,
-                                                    std::size_t) const;
-template std::vector<GlobalOrdinal> NodeBlocks::operator()(std::vector<GlobalOrdinal> const&,
-                                                           std::size_t, std::size_t) const;
+template <class T>
+std::vector<T> NodeBlocks::back(std::vector<T> const& block, std::size_t num_components) const
+{
+  std::vector<T> items;
+  items.reserve(block.size());
+  for (const std::size_t number : numbers_) {
+    const auto from = block.begin() + number * num_components;
+    items.insert(items.end(), from, from + num_components);
+  }
+  const auto arrived = sendItems(items, num_components, owners_, comm_);
+  // Each rank sends its items in the order in which it has received the nodes.
+  std::vector<std::size_t> order(destinations_.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t left, std::size_t right) {
+    return destinations_[left] < destinations_[right];
+  });
+  std::vector<T> mine(arrived.size());
+  auto from = arrived.begin();
+  for (const std::size_t node : order) {
+    std::copy_n(from, num_components, mine.begin() + node * num_components);
+    from += num_components;
+  }
+  return mine;
+}
+
+#define ASPERITY_INSTANTIATE(T)                                                                    \
+  template std::vector<T> NodeBlocks::operator()(std::vector<T> const&, std::size_t, std::size_t)  \
+    const;                                                                                         \
+  template std::vector<T> NodeBlocks::back(std::vector<T> const&, std::size_t) const;
+
+ASPERITY_INSTANTIATE(double)
+ASPERITY_INSTANTIATE(int)
+ASPERITY_INSTANTIATE(long long)
+#undef ASPERITY_INSTANTIATE
 } // namespace asperity::io

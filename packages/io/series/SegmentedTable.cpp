@@ -183,12 +183,13 @@ void SegmentedTable::writeIndex() const
   onRoot(*comm_, [&] { file = createIndex(); });
   for (auto const& number : options_.nodal_numbers) {
     hsize_t first = 0;
-    visitInOrder((*blocks_)(*number.values, 1, 1), *comm_, [&](std::vector<double> const& block) {
-      if (!block.empty()) {
-        file->openDataset(number.path).writePart(block.data(), {first, block.size()});
-      }
-      first += block.size();
-    });
+    visitInOrder<double>(
+      (*blocks_)(*number.values, 1, 1), *comm_, [&](std::vector<double> const& block) {
+        if (!block.empty()) {
+          file->openDataset(number.path).writePart(block.data(), {first, block.size()});
+        }
+        first += block.size();
+      });
   }
   onRoot(*comm_, [&] {
     file->close();

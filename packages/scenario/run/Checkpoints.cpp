@@ -72,7 +72,7 @@ void Checkpoints::write(std::function<void(Archive&)> const& save, NodeSets cons
   Archive archive;
   save(archive);
   archive.set("plugins", plugins_);
-  io::writeCheckpoint(file(), std::move(archive), fingerprint_, *communicator_, here);
+  io::writeCheckpoint(file(), archive, fingerprint_, *communicator_, here);
   last_ = Clock::now();
 }
 } // namespace asperity::scenario

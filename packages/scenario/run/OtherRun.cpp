@@ -12,6 +12,7 @@
 #include "scenario/deck/CommandLine.hpp"
 #include "scenario/fields/Domains.hpp"
 #include "scenario/report/SmallestStep.hpp"
+#include "scenario/run/CarriedRock.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
@@ -130,11 +131,8 @@ void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Proble
   requireSame("The relaxation times of the rock in s (Asperity / Bulk)",
               timesOf(here.discretisation.rock.branches),
               timesOf(there.discretisation.rock.branches), run);
-  ASPERITY_REQUIRE(!here.model.body.cells && !there.model.body.cells,
-                   "--restart-from "
-                     << run
-                     << ": a state with rock that yields goes to no other run (Asperity / Bulk / "
-                        "Law). Continue the run itself with --restart.");
+  requireSame("The internal variables of the rock (Asperity / Bulk / Law)",
+              internalVariables(here.model.body), internalVariables(there.model.body), run);
   const auto kindOf = [](Problem<Dim> const& problem) {
     return problem.discretisation.boundary.faults.empty()
              ? "no fault"
@@ -183,7 +181,7 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
                                      *field, from.vertices));
     },
     state, other.model.initial);
-  catalogue::Interpolation in_body(from, to, run.string());
+  catalogue::Interpolation in_body(from, to.coordinates, run.string());
   if (!problem.mesh().faults.empty()) {
     in_body.searchAt(pointsInCells(problem.mesh(), to.vertices));
   }
@@ -206,7 +204,7 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
                 std::filesystem::path const& run, Archive& archive)
 {
   auto const order_there = nodesOfFriction(other, from), order = nodesOfFriction(problem, to);
-  const catalogue::Interpolation along_fault(from, to, run.string());
+  const catalogue::Interpolation along_fault(from, to.coordinates, run.string());
   const auto namesOf = [](State const& of) {
     std::vector<std::string> names;
     for (auto const& field : of.added) {
@@ -268,6 +266,9 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
   archive.insert("warnings", checkpoint.child("warnings"));
   archive.set("state/time", clock.reaching(time));
   carryBody(other, state, other_domains.at("volume"), problem, domains.at("volume"), run, archive);
+  if (problem.model.body.cells) {
+    carryRock(other, state, other_domains.at("volume"), problem, run, archive);
+  }
   if (domains.count("fault") > 0) {
     carryFault(other, state, other_domains.at("fault"), problem, domains.at("fault"), run, archive);
   }

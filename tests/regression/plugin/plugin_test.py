@@ -8,7 +8,9 @@ import subprocess
 import unittest
 
 import asperity_run
+import numpy
 import runs
+from comparisons import triangles_at
 
 EXAMPLE = asperity_run.SOURCE / "examples" / "plugin"
 DECK = EXAMPLE / "viscous.xml"
@@ -188,6 +190,11 @@ def hysteresis(strain):
     return stresses, centres
 
 
+def corners(volume):
+    """Of the elements, (elements, 3, 2)."""
+    return volume["geometry/coordinates"][volume["geometry/connectivity"]]
+
+
 class RockWithHistory(unittest.TestCase):
     def run_cycles(self, name, **options):
         return asperity_run.run_to_end(name, CELL, "--plugin", PLUGIN, *runs.settings(CYCLES),
@@ -230,6 +237,36 @@ class RockWithHistory(unittest.TestCase):
                           for folder in (whole, half))
             self.assertEqual(one.shape, other.shape)
             self.assertLess(abs(one - other).max(), 1e-12 * abs(one).max())
+
+    def test_goes_to_another_run_with_its_history(self):
+        """On the same mesh the variables go on as they are; on a finer one each cell has those of
+        the cell at its centroid. The elastic range differs from cell to cell."""
+        fields = "{back_stress, inelastic_strain, inelastic_shear}"
+        deck = [CELL, "--plugin", PLUGIN, *runs.settings(
+            CYCLES, {"Bulk/Elastic Range": f"{RANGE} * (1 + x)",
+                     "Output/Volume Snapshots/Enabled": "true",
+                     "Output/Volume Snapshots/Precision": "Double",
+                     "Output/Volume Snapshots/Fields": fields})]
+        half = asperity_run.run_to_end("other_half", *deck, *runs.settings(
+            {"Time Stepping/Final Time": 16}))
+        before = asperity_run.series(half / "volume.h5")
+        of_cells, history = corners(before), before["fields/back_stress"][-1]
+        for name, mesh in (("same", {}), ("fine", {"Mesh/Refinements": 1})):
+            ours = asperity_run.run_to_end(f"other_{name}", *deck, *runs.settings(mesh),
+                                           "--restart-from", half)
+            after = asperity_run.series(ours / "volume.h5")
+            parents = triangles_at(of_cells, corners(after).mean(axis=1))
+            numpy.testing.assert_array_equal(after["fields/back_stress"][0], history[parents], name)
+        self.assertGreater(numpy.ptp(history), 0.1 * RANGE)
+        of_law = ("Bulk/Elastic Range", "Bulk/Hardening Modulus")
+        result = asperity_run.run(CELL, *runs.settings(
+            {name: value for name, value in CYCLES.items() if name not in of_law},
+            {"Bulk/Law": "Von Mises", "Bulk/Shear Strength": RANGE,
+             "Output/Receivers/Body Fields": "{stress}"}),
+            "--plugin", PLUGIN, "--restart-from", half, "--output", "other_law")
+        runs.assert_one_message(self, result, runs.INPUT,
+                                "The internal variables of the rock (Asperity / Bulk / Law) is "
+                                "'inelastic_strain, inelastic_shear', but", "back_stress (2)")
 
 
 # A block between walls that springs hold from below, under a pressure that doubles.

@@ -1,6 +1,5 @@
 #include "io/checkpoint/Checkpoint.hpp"
 #include "hdf5/File.hpp"
-#include "io/checkpoint/SharedArchive.hpp"
 #include "unit/io/Support.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -8,29 +7,36 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 using namespace asperity;
 using test::world;
 
 namespace
 {
-// Another one on every rank, with values that are easily lost.
-Archive stateOfRank()
+// With values that are easily lost. What is not at nodes comes from rank 0.
+Archive stateOfRun()
 {
-  const int rank = world()->getRank();
   Archive archive;
-  archive.set("step", (std::int64_t(1) << 53) + 1 + rank);
-  archive.set("time", std::nextafter(0.1, 1.0) + rank);
-  archive.set("name", std::string("rank\0", 5) + std::to_string(rank));
-  archive.set("state/velocity", std::vector<double>(10 * rank + 1, 5e-324));
+  archive.set("step", (std::int64_t(1) << 53) + 1);
+  archive.set("time", std::nextafter(0.1, 1.0));
+  archive.set("name", std::string("run\0x", 5));
+  archive.set("state/velocity", std::vector<double>(11, 5e-324));
   archive.set("state/alpha", std::vector<double>{-0.0, 1e308, -1.0 / 3});
   archive.set("state/none", std::vector<double>{});
   archive.set("outputs/Event Catalogue/ruptured", std::vector<std::int64_t>{0, 1, -1});
-  if (rank == 0) {
-    archive.set("outputs/table", std::string("only here"));
-  } else {
-    archive.set("ranks/others", rank);
+  return archive;
+}
+
+Archive stateOfRank()
+{
+  if (world()->getRank() == 0) {
+    return stateOfRun();
   }
+  Archive archive;
+  archive.set("step", 3);
+  archive.set("state/velocity", std::vector<double>{1});
+  archive.set("ranks/others", world()->getRank());
   return archive;
 }
 
@@ -56,64 +62,12 @@ protected:
 };
 } // namespace
 
+// Every rank gets what rank 0 had.
 TEST_F(Checkpoint, ReadsBackBitForBit)
 {
   const Archive copy = io::readCheckpoint(file, deck(), *world());
-  EXPECT_EQ(Archive(copy).values(), stateOfRank().values());
+  EXPECT_EQ(copy.values(), stateOfRun().values());
   EXPECT_TRUE(std::signbit(copy.get<std::vector<double>>("state/alpha")[0]));
-}
-
-// Every value has one dataset, whatever the number of ranks.
-TEST_F(Checkpoint, HasTheValuesOfOneRankAfterTheOther)
-{
-  const auto num_ranks = static_cast<std::size_t>(world()->getSize());
-  test::onRankZero([&] {
-    const auto h5 = h5::File::open(file);
-    EXPECT_EQ(h5.openDataset("values/state/alpha").shape(), h5::Shape{3 * num_ranks});
-    EXPECT_EQ(h5.openDataset("values/state/velocity").shape(),
-              h5::Shape{num_ranks + 10 * num_ranks * (num_ranks - 1) / 2});
-    const auto steps = h5.openDataset("values/step").read<std::int64_t>();
-    EXPECT_EQ(steps.back() - steps.front(), static_cast<std::int64_t>(num_ranks) - 1);
-  });
-}
-
-// Sizes that do not fit the datasets are refused before any rank reads, and none waits.
-TEST_F(Checkpoint, SizesThatDoNotFitAreRefused)
-{
-  test::onRankZero([&] {
-    auto h5 = h5::File::openShared(file, MPI_COMM_SELF);
-    const auto entries = h5.openDataset("entries").readTexts();
-    auto sizes = h5.openDataset("sizes").read<std::int64_t>();
-    const auto alpha = std::find(entries.begin(), entries.end(), "state/alpha") - entries.begin();
-    ASSERT_EQ(sizes.at(alpha), 3);
-    sizes[alpha] = 4;
-    h5.openDataset("sizes").writePart(sizes.data(), {0, 1});
-    h5.close();
-  });
-  const auto message = errorOfReading();
-  test::expectParts(message, {"values/state/alpha has another shape"});
-}
-
-// Values of many gigabytes go in rounds; here of a few numbers, and ranks have differently many.
-TEST_F(Checkpoint, LargeValuesGoInRounds)
-{
-  const Archive archive = stateOfRank();
-  const io::detail::ArchiveLayout layout(archive, *world());
-  const auto path = directory / "rounds.h5";
-  test::onRankZero([&] {
-    auto h5 = h5::File::create(path);
-    layout.create(h5, world()->getSize());
-  });
-  auto h5 = h5::File::openShared(path, rawCommunicator(*world()));
-  layout.write(h5, archive, *world(), 2);
-  const auto together = [](std::function<void()> const& work) { work(); };
-  h5.close();
-  const auto reading = h5::File::openSharedForReading(path, rawCommunicator(*world()));
-  const auto entries = io::detail::readEntries(reading);
-  const auto sizes = io::detail::readSizes(reading, entries, world()->getSize());
-  const io::detail::ArchiveLayout mine(
-    entries, sizes, std::size_t(world()->getRank()), [](auto const&) { return true; }, *world());
-  EXPECT_EQ(mine.read(reading, together, 7).values(), archive.values());
 }
 
 TEST_F(Checkpoint, IsReplacedAndLeavesNoTemporaryFile)
@@ -129,7 +83,7 @@ TEST_F(Checkpoint, IsReplacedAndLeavesNoTemporaryFile)
 TEST_F(Checkpoint, SurvivesAKilledWrite)
 {
   test::write(directory / "checkpoint.h5.part", "half a file");
-  EXPECT_EQ(io::readCheckpoint(file, deck(), *world()).values(), stateOfRank().values());
+  EXPECT_EQ(io::readCheckpoint(file, deck(), *world()).values(), stateOfRun().values());
   io::writeCheckpoint(file, stateOfRank(), deck(), *world());
   EXPECT_FALSE(std::filesystem::exists(directory / "checkpoint.h5.part"));
 }
@@ -157,7 +111,7 @@ TEST_F(Checkpoint, OtherContentOfAFileIsRefusedAndACopyIsNot)
                     {"the content of mesh file 'body.h5' (Asperity / Mesh / File / File "
                      "Name) has changed since then."});
   EXPECT_EQ(io::readCheckpoint(file, deck("0.01", "a1", "copy.h5"), *world()).values(),
-            stateOfRank().values());
+            stateOfRun().values());
 }
 
 TEST_F(Checkpoint, TruncatedFileIsRefused)
@@ -194,17 +148,22 @@ TEST_F(Checkpoint, AChangedValueIsNoticed)
     bytes[place] ^= 1;
     std::ofstream(file, std::ios::binary) << bytes;
   });
-  test::expectParts(errorOfReading(), {"is damaged: the values of rank 0 differ"});
+  test::expectParts(errorOfReading(),
+                    {"is damaged", "The values of 'state/alpha' differ from what was written."});
 }
 
-TEST_F(Checkpoint, OtherVersionIsRefused)
+TEST_F(Checkpoint, OtherVersionsAreRefused)
 {
-  test::onRankZero([&] {
-    auto h5 = h5::File::create(file, h5::Layout::sealed);
-    h5.setAttribute("format", std::string("asperity checkpoint"), h5::TextLength::fixed);
-    h5.setAttribute("format_version", std::int64_t(99));
-  });
-  test::expectParts(errorOfReading(), {"has format version 99, but this version reads 10"});
+  for (const int version : {10, 99}) {
+    test::onRankZero([&] {
+      auto h5 = h5::File::create(file, h5::Layout::sealed);
+      h5.setAttribute("format", std::string("asperity checkpoint"), h5::TextLength::fixed);
+      h5.setAttribute("format_version", std::int64_t(version));
+    });
+    test::expectParts(errorOfReading(),
+                      {"has format version " + std::to_string(version), "but this version reads 11",
+                       "the version of Asperity that wrote it"});
+  }
 }
 
 namespace
@@ -242,6 +201,48 @@ Archive atNodes(NodeSets const& sets)
 }
 } // namespace
 
+// Numbers need not be without gaps, and ranks may have their nodes in any order.
+TEST_F(Checkpoint, ValuesAtNodesAreInTheOrderOfTheirNumbers)
+{
+  auto sets = nodesOfRank(world()->getSize(), true);
+  auto const archive = atNodes(sets);
+  for (auto& node : sets["body"]) {
+    node = 7 * node + 3;
+  }
+  io::writeCheckpoint(file, archive, deck(), *world(), sets);
+  test::onRankZero([&] {
+    const auto h5 = h5::File::open(file);
+    const auto marks = h5.openDataset("values/ruptured").read<std::int64_t>();
+    std::vector<std::int64_t> expected;
+    for (int node = 0; node < 10; ++node) {
+      expected.push_back((std::int64_t(1) << 60) + node);
+    }
+    EXPECT_EQ(marks, expected);
+    EXPECT_EQ(h5.openDataset("values/state/u").shape(), h5::Shape{20});
+    EXPECT_EQ(h5.openDataset("values/not yet").shape(), h5::Shape{0});
+    EXPECT_EQ(h5.openDataset("set_sizes").read<std::int64_t>(), std::vector<std::int64_t>{10});
+  });
+}
+
+// The file does not show which ranks wrote it.
+TEST_F(Checkpoint, HasTheSameValuesOnAnyRanks)
+{
+  const auto all = nodesOfRank(1), here = nodesOfRank(world()->getSize(), true);
+  const auto values = [&] {
+    const auto h5 = h5::File::open(file);
+    std::vector<std::vector<std::int64_t>> lists;
+    for (auto const* name : {"checksums", "set_checksums", "values/ruptured"}) {
+      lists.push_back(h5.openDataset(name).read<std::int64_t>());
+    }
+    return std::pair(lists, h5.openDataset("values/state/u").read<double>());
+  };
+  io::writeCheckpoint(file, atNodes(all), deck(), *world(), all);
+  std::pair<std::vector<std::vector<std::int64_t>>, std::vector<double>> alone;
+  test::onRankZero([&] { alone = values(); });
+  io::writeCheckpoint(file, atNodes(here), deck(), *world(), here);
+  test::onRankZero([&] { EXPECT_EQ(values(), alone); });
+}
+
 // Other ranks have the nodes, and in another order.
 TEST_F(Checkpoint, ValuesAtNodesGoWhereTheNodesAre)
 {
@@ -278,6 +279,40 @@ TEST_F(Checkpoint, OtherNodesAreRefused)
   auto here = there;
   here["body"].front() += 100;
   test::expectRefusal([&] { io::readCheckpoint(file, deck(), *world(), here); }, {"another mesh"});
+}
+
+// Values that do not fit their nodes are an error of the program, and no rank waits.
+TEST_F(Checkpoint, ValuesThatDoNotFitTheirNodesAreRefused)
+{
+  const auto sets = nodesOfRank(world()->getSize());
+  auto archive = atNodes(sets);
+  if (world()->getRank() == 0) {
+    archive.setAtNodes("not yet", std::vector<double>{1}, "body");
+  }
+  EXPECT_THROW(io::writeCheckpoint(file, archive, deck(), *world(), sets), std::exception);
+  if (world()->getSize() > 1) {
+    archive = world()->getRank() == 0 ? Archive() : atNodes(sets);
+    EXPECT_THROW(io::writeCheckpoint(file, archive, deck(), *world(), sets), std::exception);
+  }
+}
+
+// What a value of nodes says about its shape must fit the set.
+TEST_F(Checkpoint, ASizeThatDoesNotFitTheNodesIsRefused)
+{
+  const auto sets = nodesOfRank(world()->getSize());
+  io::writeCheckpoint(file, atNodes(sets), deck(), *world(), sets);
+  test::onRankZero([&] {
+    auto h5 = h5::File::openShared(file, MPI_COMM_SELF);
+    auto kinds = h5.openDataset("kinds").read<std::int64_t>();
+    const auto entries = h5.openDataset("entries").readTexts();
+    const auto time = std::find(entries.begin(), entries.end(), "time") - entries.begin();
+    kinds[time] = 3;                                                                   // a list
+    kinds[std::find(entries.begin(), entries.end(), "state/u") - entries.begin()] = 1; // a number
+    h5.openDataset("kinds").writePart(kinds.data(), {0, kinds.size()});
+    h5.close();
+  });
+  const auto message = test::refusal([&] { io::readCheckpoint(file, deck(), *world(), sets); });
+  test::expectParts(message, {"state/u", "cannot belong to nodes"});
 }
 
 TEST_F(Checkpoint, FolderThatDoesNotExistIsAnErrorOnEveryRank)

@@ -127,7 +127,7 @@ TEST(OutputDomain, RootSeesTheBlocksOfAllRanksInOrder)
   const auto block = NodeBlocks(fault)(numbers, 1, 1);
   std::vector<double> seen;
   int calls = 0;
-  visitInOrder(block, *world(), [&](std::vector<double> const& next) {
+  visitInOrder<double>(block, *world(), [&](std::vector<double> const& next) {
     seen.insert(seen.end(), next.begin(), next.end());
     ++calls;
   });
@@ -146,15 +146,15 @@ TEST(OutputDomain, WhatRootCannotUseIsThrownEverywhere)
 {
   const std::vector<double> block(3, world()->getRank());
   int calls = 0;
-  EXPECT_THROW(visitInOrder(block, *world(),
-                            [&](std::vector<double> const&) {
-                              ++calls;
-                              throw OutputError("The disk is full.");
-                            }),
+  EXPECT_THROW(visitInOrder<double>(block, *world(),
+                                    [&](std::vector<double> const&) {
+                                      ++calls;
+                                      throw OutputError("The disk is full.");
+                                    }),
                OutputError);
   EXPECT_EQ(calls, world()->getRank() == 0 ? 1 : 0);
   double sum = 0;
-  visitInOrder(block, *world(), [&](std::vector<double> const& next) { sum += next[2]; });
+  visitInOrder<double>(block, *world(), [&](std::vector<double> const& next) { sum += next[2]; });
   const int size = world()->getSize();
   EXPECT_EQ(sum, world()->getRank() == 0 ? size * (size - 1) / 2 : 0);
 }

@@ -3,7 +3,7 @@
 #include "SampleDeck.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/DeckReader.hpp"
-#include "scenario/Problem.hpp"
+#include "scenario/problem/Problem.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
