@@ -55,11 +55,11 @@ template <class Expected>
 void expectDisplacement(ParameterList const& deck, Expected const& expected)
 {
   auto const problem = makeProblem<2>(deck, world());
-  const auto u = valuesOf(*problem.initial.u);
-  for (int node = 0; node < problem.mesh.num_owned; ++node) {
-    auto const& x = problem.mesh.vertices[node];
-    for (int c = 0; c < problem.components; ++c) {
-      EXPECT_NEAR(u[node * problem.components + c], expected(x, c), 1e-9 * load / stiffness)
+  const auto u = valuesOf(*problem.model.initial.u);
+  for (int node = 0; node < problem.mesh().num_owned; ++node) {
+    auto const& x = problem.mesh().vertices[node];
+    for (int c = 0; c < problem.components(); ++c) {
+      EXPECT_NEAR(u[node * problem.components() + c], expected(x, c), 1e-9 * load / stiffness)
         << x[0] << ' ' << x[1];
     }
   }
@@ -115,10 +115,10 @@ TEST(BoundaryKind, SpringsMayVaryInSpace)
   });
   auto const problem = makeProblem<2>(deck, world());
   // The sum of the nodal forces of the springs is the load on the right, 300 Pa times 1 m.
-  const auto u = valuesOf(*problem.initial.u);
+  const auto u = valuesOf(*problem.model.initial.u);
   double mine = 0;
-  for (int node = 0; node < problem.mesh.num_owned; ++node) {
-    auto const& x = problem.mesh.vertices[node];
+  for (int node = 0; node < problem.mesh().num_owned; ++node) {
+    auto const& x = problem.mesh().vertices[node];
     if (x[0] == 0) {
       const double share = x[1] == 0 || x[1] == 1 ? 1. / 6 : 1. / 3; // of three facets
       mine += share * stiffness * (1 + 2 * x[1]) * u[node];
