@@ -16,7 +16,7 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr std::size_t block_size = std::size_t(1) << 20;
+constexpr std::size_t block_size = std::size_t(1) << 16;
 constexpr std::size_t longest_line = std::size_t(1) << 24; // rows of grids are long
 
 bool isCompressed(std::string const& file_name)
