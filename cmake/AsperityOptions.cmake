@@ -5,7 +5,7 @@ if(CMAKE_SOURCE_DIR STREQUAL PROJECT_SOURCE_DIR)
 endif()
 
 option(ASPERITY_ENABLE_TESTS "Build the tests" ${ASPERITY_IS_TOP_LEVEL})
-option(ASPERITY_ENABLE_MESH_TOOL "Build asperity-mesh, which links the Gmsh library (GPL)" ON)
+option(ASPERITY_ENABLE_MESH_TOOL "Build asperity-mesh, which uses Gmsh and CGAL (GPL 3)" ON)
 option(ASPERITY_ENABLE_INSTALL "Install and export the packages" ${ASPERITY_IS_TOP_LEVEL})
 option(ASPERITY_PRECOMPILED_HEADERS "Compile the headers of Trilinos once, for faster builds" ON)
 # Off, so that new warnings of newer compilers do not stop the build; quickstart.sh --strict sets

@@ -1,7 +1,7 @@
 # `cpack -G DEB` in the build folder makes packages for the release of Debian that it runs on:
 #
 #   asperity           programs, libraries, the package for Python, decks, examples
-#   asperity-mesh      the mesh tool alone, which links Gmsh's library (GPL)
+#   asperity-mesh      the mesh tool alone, which uses Gmsh and CGAL (GPL 3)
 #   libasperity-dev    headers, and the files that find_package(Asperity) reads
 #   asperity-doc       the documents
 #
@@ -34,7 +34,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS
 
 set(CPACK_DEBIAN_MESH_TOOL_PACKAGE_NAME asperity-mesh)
 set(CPACK_COMPONENT_MESH_TOOL_DESCRIPTION
-  "Makes and converts meshes; links Gmsh's library (GPL).")
+  "Makes and converts meshes; uses Gmsh and CGAL (GPL 3).")
 set(CPACK_DEBIAN_MESH_TOOL_PACKAGE_DEPENDS "asperity ${same_version}")
 
 # The packages that TrilinosConfig.cmake and the headers of Asperity need: those of quickstart.sh,

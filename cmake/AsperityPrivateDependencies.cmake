@@ -23,7 +23,8 @@ if(ASPERITY_ENABLE_TESTS)
   find_package(GTest REQUIRED)
 endif()
 
-# Only asperity-mesh links Gmsh, so that its licence (GPL) does not apply to the rest of Asperity.
+# Only asperity-mesh uses Gmsh and CGAL, so that their licence (GPL) does not apply to the rest of
+# Asperity.
 if(ASPERITY_ENABLE_MESH_TOOL)
   find_path(GMSH_INCLUDE_DIR gmsh.h)
   find_library(GMSH_LIBRARY gmsh)
@@ -34,6 +35,18 @@ if(ASPERITY_ENABLE_MESH_TOOL)
   else()
     message(STATUS "The Gmsh library was not found; asperity-mesh is left out. "
       "On Debian: apt-get install libgmsh-dev")
+  endif()
+  # Only headers; their own CMake file would change the flags of this build.
+  find_path(CGAL_INCLUDE_DIR CGAL/version.h)
+  find_library(GMP_LIBRARY gmp)
+  find_library(MPFR_LIBRARY mpfr)
+  if(CGAL_INCLUDE_DIR AND GMP_LIBRARY AND MPFR_LIBRARY)
+    add_library(Asperity::CGAL INTERFACE IMPORTED)
+    target_include_directories(Asperity::CGAL SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
+    target_link_libraries(Asperity::CGAL INTERFACE ${GMP_LIBRARY} ${MPFR_LIBRARY})
+  elseif(TARGET Asperity::Gmsh)
+    message(STATUS "CGAL was not found; asperity-mesh has no command build. "
+      "On Debian: apt-get install libcgal-dev")
   endif()
 endif()
 

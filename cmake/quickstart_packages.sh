@@ -45,6 +45,7 @@ optional_packages()
   echo 'meshes from Gmsh, asperity-mesh (optional): libgmsh-dev|-'
   if [ "${mode:-}" = test ]; then
     echo 'projections in asperity-mesh (optional): libproj-dev|-'
+    echo 'meshes from surfaces of faults, asperity-mesh build (optional): libcgal-dev|-'
     echo 'faster rebuilds (optional): ccache|-'
     echo 'tests of pip without a network (optional): python3-pip|- python3-venv|-' \
       'python3-setuptools|- python3-wheel|-'

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
-"""Writes docs/reference/parameters.md from what the program says; `--check` compares.
+"""Writes the pages of parameters from what the programs say; `--check` compares.
 
     python3 docs/parameters.py [--check] [PROGRAM]      build/drivers/asperity by default
+
+`asperity --print-parameters` makes docs/reference/parameters.md; `asperity-mesh build
+--print-parameters`, of the program beside it if there is one, docs/reference/mesh_parameters.md.
 """
 
 import pathlib
@@ -10,6 +13,7 @@ import subprocess
 import sys
 
 PAGE = pathlib.Path(__file__).parent / "reference" / "parameters.md"
+MESH_PAGE = PAGE.with_name("mesh_parameters.md")
 TOP = """# Parameters
 
 All parameters of a deck, in the order in which `asperity --print-parameters` prints them. **This page
@@ -21,6 +25,14 @@ are yours. "field" stands for a number, an expression in `x`, `y`, `z`, `t`, a d
 a "field without dataset" is needed at places that are no vertices.
 Laws and outputs of plugins add their own: `asperity --print-parameters --plugin libmine.so`.
 """
+MESH_TOP = """# Parameters of meshes
+
+All parameters of a deck of `asperity-mesh build`, in the order in which `asperity-mesh build
+--print-parameters` prints them. **This page is made by `docs/parameters.py`; a test compares it with
+the program.** Units are SI, and z points up. [Surfaces from files](surfaces.md) explains the lists of
+faults and ground, [Bring your fault](../first_model/your_fault.md) has an example. Names in
+`<angle brackets>` are yours; a "field without dataset" is a number or an expression in x, y, z.
+"""
 FIELD = 'a number, an expression in x, y, z, t, "file.h5:/dataset" or a list of regions'
 WITHOUT_DATASET = FIELD.replace(', "file.h5:/dataset"', "")
 HEADING, NOTHING = "\n## ", "There is nothing to set.\n"
@@ -29,8 +41,8 @@ ENTRY = re.compile(
     r"(?: Unit: (?P<unit>.+?)\.(?= |$))?(?: (?P<text>.*))?")
 
 
-def page(printed: str) -> str:
-    parts, remark, table = [TOP], "", False
+def page(printed: str, top: str = TOP) -> str:
+    parts, remark, table = [top], "", False
     lines = iter(printed.splitlines()[1:])  # without the root
     for line in lines:
         if line.startswith("# "):
@@ -76,24 +88,36 @@ def escaped(text: str) -> str:
     return text
 
 
-def main(arguments):
-    check = "--check" in arguments
-    rest = [word for word in arguments if word != "--check"]
-    program = rest[0] if rest else "build/drivers/asperity"
-    printed = subprocess.run([program, "--print-parameters"], check=True, capture_output=True,
-                             text=True).stdout
-    text = page(printed)
-    if not check:
-        PAGE.write_text(text, encoding="utf-8")
-        return 0
-    old = PAGE.read_text(encoding="utf-8").splitlines() if PAGE.exists() else []
+def compare(path, text, program):
+    """The exit status: 1 if the page is not the text."""
+    old = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
     for number, (is_there, wanted) in enumerate(zip(old + [""] * len(text), text.splitlines()), 1):
         if is_there != wanted:
-            print(f"docs/reference/parameters.md:{number}: is not what the program says. Run "
+            print(f"docs/reference/{path.name}:{number}: is not what the program says. Run "
                   f"python3 docs/parameters.py {program}\n  page:    {is_there}\n"
                   f"  program: {wanted}")
             return 1
     return int(len(old) != len(text.splitlines()))
+
+
+def main(arguments):
+    check = "--check" in arguments
+    rest = [word for word in arguments if word != "--check"]
+    program = rest[0] if rest else "build/drivers/asperity"
+    mesh_tool = pathlib.Path(program).with_name("asperity-mesh")
+    pages = [(PAGE, TOP, [program])]
+    if mesh_tool.exists():
+        pages.append((MESH_PAGE, MESH_TOP, [mesh_tool, "build"]))
+    status = 0
+    for path, top, command in pages:
+        printed = subprocess.run([*command, "--print-parameters"], check=True, capture_output=True,
+                                 text=True).stdout
+        text = page(printed, top)
+        if check:
+            status = status or compare(path, text, program)
+        else:
+            path.write_text(text, encoding="utf-8")
+    return status
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ template Arguments& Arguments::number(std::string const&, std::optional<int>&, s
 
 void Arguments::overwrite() { flag("--overwrite", overwrites_, "replace a file that is there"); }
 
-bool Arguments::read(std::vector<std::string> const& files)
+bool Arguments::read(std::vector<std::string> const& files, std::optional<std::size_t> fewest)
 {
   if (!words_) {
     return false;
@@ -68,7 +68,7 @@ bool Arguments::read(std::vector<std::string> const& files)
   }
   const std::size_t found = files_.size(), wanted = files.size();
   ASPERITY_REQUIRE(found <= wanted, "Unexpected argument '" << files_[wanted] << "'.");
-  ASPERITY_REQUIRE(found == wanted,
+  ASPERITY_REQUIRE(found >= fewest.value_or(wanted),
                    "The file " << files[found] << " is missing. See asperity-mesh --help.");
   return true;
 }

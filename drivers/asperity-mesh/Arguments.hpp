@@ -26,8 +26,10 @@ public:
   void overwrite(); // declares the flag for requireNew
 
   // Whether the command has to work. `files` are the names that --help uses, such as "OUT.h5".
-  // InputError if an option is unknown or no number, or a file is missing.
-  bool read(std::vector<std::string> const& files);
+  // InputError if an option is unknown or no number, or a file is missing; at least `fewest` of
+  // them have to be there, all if that is not given.
+  bool read(std::vector<std::string> const& files, std::optional<std::size_t> fewest = {});
+  int numFiles() const { return static_cast<int>(files_.size()); }
   std::string const& file(int i) const { return files_[static_cast<std::size_t>(i)]; }
 
   // InputError if the file exists and --overwrite is not given.

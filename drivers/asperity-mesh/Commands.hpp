@@ -4,6 +4,7 @@
 
 // The commands of asperity-mesh, which main.cpp describes. InputError if an argument, or a file
 // that it names, is wrong.
+void build(Arguments& arguments);
 void convert(Arguments& arguments);
 void makeWedge(Arguments& arguments);
 void makeRectangle(Arguments& arguments);

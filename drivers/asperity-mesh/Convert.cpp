@@ -1,10 +1,10 @@
 #include "Commands.hpp"
 #include "GmshSession.hpp"
 #include "Meshes.hpp"
+#include "TargetFolder.hpp"
 #include "formats/MeshFormat.hpp"
 
 #include "base/Text.hpp"
-#include "base/WriteFailure.hpp"
 #include "mesh/TouchingFacets.hpp"
 
 #include <algorithm>
@@ -51,17 +51,6 @@ std::string alternatives(std::vector<std::string> const& endings, std::string co
     text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + name + endings[i];
   }
   return text;
-}
-
-// Before the mesh is made.
-void requireFolder(std::string const& file_name)
-{
-  const auto folder = std::filesystem::path(file_name).parent_path();
-  const int error = asperity::errorOfOpening(folder.empty() ? "." : folder, O_TMPFILE);
-  ASPERITY_REQUIRE(error == 0 || error == EOPNOTSUPP, // not every file system has unnamed files
-                   "'" << file_name
-                       << "' cannot be written. The system says: " << std::strerror(error)
-                       << ". Does the folder exist, and may you write there?");
 }
 } // namespace
 

@@ -31,6 +31,8 @@ std::string errorOfGmsh(std::function<void()> const& call)
 {
   try {
     call();
+  } catch (asperity::InputError const&) {
+    throw; // ours, from a function that Gmsh calls
   } catch (std::string const& reason) {
     return reason;
   } catch (std::exception const& error) {

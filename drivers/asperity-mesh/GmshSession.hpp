@@ -20,7 +20,8 @@ public:
   void open(std::string const& file_name, std::string const& where) const;
 };
 
-// What Gmsh's library throws, which before version 4.9 is strings; "" if that is nothing.
+// What Gmsh's library throws, which before version 4.9 is strings; "" if that is nothing. An
+// InputError is not caught.
 std::string errorOfGmsh(std::function<void()> const& call);
 
 // "Point", "Curve", "Surface", "Volume", as Gmsh's own interface calls entities.

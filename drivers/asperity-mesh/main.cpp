@@ -18,6 +18,7 @@ struct Command
 };
 
 const std::vector<Command> commands = {
+  {"build", "[MODEL.xml] OUT.h5", "Makes a mesh from surfaces of faults and ground.", build},
   {"convert", "IN.msh, IN.geo or IN.puml.h5 OUT.h5",
    "Converts a mesh of Gmsh or SeisSol, or meshes a geometry: a program, take it from whom you\n"
    "    trust. Groups become regions, boundaries and, where they lie inside, faults.",
@@ -54,7 +55,7 @@ void run(std::vector<std::string> const& words)
   for (auto const& command : commands) {
     names.push_back(command.name);
     if (command.name == words[0]) {
-      Arguments arguments(std::vector<std::string>(words.begin() + 1, words.end()));
+      Arguments arguments(std::vector(words.begin() + 1, words.end()));
       return command.run(arguments);
     }
   }

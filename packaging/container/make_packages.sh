@@ -11,7 +11,7 @@ build_packages()
   DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
     g++ cmake ninja-build file dpkg-dev libopenmpi-dev openmpi-bin libhdf5-openmpi-dev \
     libmetis-dev libmuparser-dev libcli11-dev libeigen3-dev libgmsh-dev libptscotch-dev \
-    libproj-dev \
+    libproj-dev libcgal-dev \
     trilinos-all-dev python3 python3-h5py python3-numpy python3-matplotlib
   cmake -S "$source" -B /build -G Ninja -DCMAKE_BUILD_TYPE=Release -DASPERITY_ENABLE_TESTS=OFF
   cmake --build /build

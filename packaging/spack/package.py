@@ -17,7 +17,7 @@ class Asperity(CMakePackage, CudaPackage):
     version("0.2.0")
 
     variant("openmp", default=False, description="Threads on each rank, by Kokkos")
-    variant("gmsh", default=True, description="asperity-mesh, which links Gmsh (GPL)")
+    variant("gmsh", default=True, description="asperity-mesh, which uses Gmsh and CGAL (GPL)")
     variant("python", default=True, description="Figures, reports, status and studies")
     variant("tests", default=False, description="The tests, run by `spack install --test=root`")
     variant("shared", default=True, description="Shared libraries, which plugins need")
@@ -50,6 +50,7 @@ class Asperity(CMakePackage, CudaPackage):
     depends_on("eigen@3.3:")
     depends_on("gmsh", when="+gmsh")
     depends_on("proj@7:", when="+gmsh")
+    depends_on("cgal@5.5:", when="+gmsh")
 
     with when("+python"):
         depends_on("python@3.9:", type=("build", "run"))

@@ -83,7 +83,7 @@ class QuickStart(unittest.TestCase):
                                 "libproj-dev",
                                 "python3-venv", "python3-setuptools", "python3-wheel",
                                 "python3-sphinx", "python3-myst-parser", "python3-breathe", "furo",
-                                "doxygen", "chromium"})
+                                "doxygen", "chromium", "libproj-dev", "libcgal-dev"})
 
     def test_run_builds_no_tests(self):
         _, calls = self.run_with("run", "--no-install")

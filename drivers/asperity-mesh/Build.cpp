@@ -1,0 +1,171 @@
+#include "Commands.hpp"
+#include "GmshSession.hpp"
+#include "Meshes.hpp"
+#include "TargetFolder.hpp"
+#include "building/BuildMesh.hpp"
+#include "building/BuildReport.hpp"
+#include "building/ShortOptions.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/TouchingFacets.hpp"
+#include "parameters/Deck.hpp"
+
+#include <chrono>
+#include <filesystem>
+
+namespace
+{
+using asperity::geometry::BuildSettings;
+
+// A line with the seconds since the start.
+class Progress
+{
+public:
+  void operator()(std::string const& text) const
+  {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
+    std::cout << asperity::formatted("%7.1f s  ", time.count()) << text << std::endl;
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Files
+{
+  std::string deck, mesh; // "" where not given
+};
+
+Files filesOf(Arguments const& arguments, bool is_dry)
+{
+  Files files;
+  for (int i = 0; i < arguments.numFiles(); ++i) {
+    auto const& name = arguments.file(i);
+    auto& file = std::filesystem::path(name).extension() == ".xml" ? files.deck : files.mesh;
+    ASPERITY_REQUIRE(file.empty(), "Unexpected argument '" << name << "'.");
+    file = name;
+  }
+  ASPERITY_REQUIRE(is_dry || !files.mesh.empty(),
+                   "The file OUT.h5 is missing. See asperity-mesh --help.");
+  return files;
+}
+
+BuildSettings settingsOf(Files const& files, asperity::geometry::ShortOptions const& options)
+{
+  auto deck = files.deck.empty() ? Teuchos::rcp(new asperity::ParameterList("Asperity"))
+                                 : asperity::readDeck(files.deck);
+  applyOptions(options, *deck);
+  // Files named by options are relative to where the program runs.
+  const bool is_short = !options.faults.empty() || !options.ground.empty();
+  const auto folder =
+    is_short ? std::string() : std::filesystem::path(files.deck).parent_path().string();
+  return asperity::geometry::readBuildSettings(*deck, folder);
+}
+
+void requireTolerance(asperity::GlobalMesh<3> const& mesh, BuildSettings const& settings)
+{
+  for (int s = 0; settings.tolerance && s < settings.model.num_faults; ++s) {
+    auto const& name = settings.model.name(s);
+    const auto off = asperity::geometry::largestDistance(mesh.vertices, mesh.boundaries.at(name),
+                                                         settings.model.surfaces[s].surface);
+    ASPERITY_REQUIRE(
+      off.distance <= *settings.tolerance,
+      "Fault '" << name << "': the centre of a facet lies " << asperity::formatShort(off.distance)
+                << " m from the given surface, at " << asperity::geometry::placeText(off.place)
+                << ", more than Tolerance = " << *settings.tolerance
+                << ". Give a smaller Cell Size there.");
+  }
+}
+
+// As it will be when the mesh is read, so that nothing is written that cannot be used.
+void requireSplit(asperity::GlobalMesh<3> const& mesh,
+                  std::vector<asperity::geometry::Junction> const& junctions)
+{
+  auto split = mesh;
+  try {
+    asperity::mesh::splitFaults(split, "The mesh");
+  } catch (asperity::InputError const& error) {
+    std::string advice;
+    for (auto const& junction : junctions) {
+      if (junction.is_crossing) {
+        advice += " Faults '" + junction.first + "' and '" + junction.second + "' cross from " +
+                  asperity::geometry::placeText(junction.from) + " to " +
+                  asperity::geometry::placeText(junction.to) +
+                  ": let one of them end at the other (cut its surface there, or raise Trim Stubs "
+                  "over the share of the smaller piece).";
+      }
+    }
+    throw asperity::InputError(error.what() + advice + " Nothing is written.");
+  }
+}
+
+void buildFile(BuildSettings const& settings, Files const& files, bool is_dry)
+{
+  const Progress tell;
+  int triangles = 0;
+  for (auto const& surface : settings.model.surfaces) {
+    triangles += static_cast<int>(surface.surface.triangles.size());
+  }
+  tell("read " + std::to_string(settings.model.num_faults) + " faults; " +
+       std::to_string(triangles) + " triangles with ground and walls");
+  const auto arranged = asperity::geometry::arrangeSurfaces(settings);
+  tell("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
+  report(arranged, settings.model, std::cout);
+  if (is_dry) {
+    return;
+  }
+  auto mesh = asperity::geometry::meshArranged(arranged, settings, tell);
+  report(mesh, settings.model, std::cout);
+  if (const auto touching = asperity::mesh::touchingFacets(mesh)) {
+    warn("'" + files.mesh + "': " + asperity::mesh::sentence(*touching));
+  }
+  requireTolerance(mesh, settings);
+  for (auto& x : mesh.vertices) {
+    x = settings.is_y_up ? asperity::Point<3>{x[0], x[2], -x[1]} : x;
+  }
+  requireSplit(mesh, junctions(arranged.complex, settings.model));
+  writeAndReport(mesh, files.mesh);
+}
+} // namespace
+
+void build(Arguments& arguments)
+{
+  asperity::geometry::ShortOptions options;
+  bool is_dry = false, prints = false;
+  std::string format = "text";
+  arguments
+    .values("--fault", options.faults, "NAME=FILE,KEY=VALUE,...",
+            "a fault and its surface; keys as units=km, size=500m")
+    .value("--ground", options.ground, "FILE,KEY=VALUE,...", "the ground (the plane z = 0)")
+    .value("--units", options.units, "m or km", "of the files that name none")
+    .value("--size", options.size, "LENGTH", "of cells at faults: 500, 500m, 0.5km")
+    .value("--largest", options.largest, "LENGTH", "largest size of cells")
+    .value("--growth", options.growth, "NUMBER", "growth of cells for each metre of distance (0.3)")
+    .value("--margin", options.margin, "LENGTH", "from the faults to the walls")
+    .value("--depth", options.depth, "LENGTH", "of the bottom below z = 0")
+    .value("--snap", options.snap, "LENGTH",
+           "borders this near to another surface are made to meet it (0.1 of the size)")
+    .value("--projection", options.projection, "TEXT", "for degrees: utm11, EPSG:32611, ...")
+    .values("--set", options.assignments, "PATH/NAME=VALUE", "a parameter of the deck")
+    .flag("--dry", is_dry, "stop before the mesh is made, and report")
+    .flag("--print-parameters", prints, "print the parameters of a deck")
+    .value("--format", format, "text or xml", "of these");
+  arguments.overwrite();
+  if (!arguments.read({"MODEL.xml", "OUT.h5"}, 0)) {
+    return;
+  }
+  if (prints) {
+    ASPERITY_REQUIRE(format == "text" || format == "xml",
+                     "Option --format: '" << format << "' is not text or xml.");
+    return printParameters(*asperity::geometry::buildParameters(), std::cout,
+                           format == "xml" ? asperity::ParameterFormat::xml
+                                           : asperity::ParameterFormat::text);
+  }
+  const auto files = filesOf(arguments, is_dry);
+  if (!is_dry) {
+    arguments.requireNew(files.mesh);
+    requireFolder(files.mesh);
+  }
+  buildFile(settingsOf(files, options), files, is_dry);
+}

@@ -1,0 +1,56 @@
+#include "building/BuildMesh.hpp"
+
+#include "meshing/Features.hpp"
+#include "meshing/Relocation.hpp"
+#include "meshing/Volume.hpp"
+
+#include <memory>
+
+namespace asperity::geometry
+{
+namespace
+{
+// By the parts of faults that are inside the body.
+std::shared_ptr<CellSize> cellSize(Complex const& complex, BuildSettings const& settings)
+{
+  auto size = std::make_shared<CellSize>(settings.growth, settings.largest);
+  std::vector<TriangleSurface> faults(settings.model.num_faults);
+  for (std::size_t i = 0; i < complex.triangles.size(); ++i) {
+    if (settings.model.isFault(complex.surfaces[i])) {
+      faults[complex.surfaces[i]].triangles.push_back(complex.triangles[i]);
+    }
+  }
+  for (std::size_t s = 0; s < faults.size(); ++s) {
+    faults[s].points = complex.points;
+    size->addFault(
+      faults[s], [field = settings.sizes[s]](Point<3> const& place) { return field(place, 0, 0); });
+  }
+  return size;
+}
+} // namespace
+
+Arranged arrangeSurfaces(BuildSettings const& settings)
+{
+  return arrangeModel(settings.model, {settings.snap, settings.stub_share, settings.short_share},
+                      [&](Complex const& complex) {
+                        return [size = cellSize(complex, settings)](Point<3> const& place) {
+                          return (*size)(place);
+                        };
+                      });
+}
+
+GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
+                           std::function<void(std::string const&)> const& tell)
+{
+  const auto size = cellSize(arranged.complex, settings);
+  constexpr double smallest_share = 0.02; // of cells in narrow places
+  size->addLimits(narrowPlaces(arranged.complex, *size, smallest_share));
+  auto mesh = fillVolume(arranged.complex, settings.model, *size, tell);
+  constexpr double wanted_angle = 12; // degrees
+  const int flat = relocateVertices(mesh, arranged.complex, settings.model, wanted_angle);
+  tell("vertices of flat cells moved; " + std::to_string(flat) + " cells below " +
+       std::to_string(int(wanted_angle)) + " degrees remain");
+  mesh::checkMesh(mesh, "The mesh that Gmsh made");
+  return mesh;
+}
+} // namespace asperity::geometry

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "arrangement/Arranged.hpp"
+#include "building/BuildParameters.hpp"
+
+#include "mesh/GlobalMesh.hpp"
+
+#include <functional>
+#include <string>
+
+namespace asperity::geometry
+{
+Arranged arrangeSurfaces(BuildSettings const& settings);
+
+// The mesh before it is split along its faults, valid but for that. InputError as of fillVolume.
+GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
+                           std::function<void(std::string const&)> const& tell);
+} // namespace asperity::geometry

@@ -1,0 +1,183 @@
+#include "building/BuildReport.hpp"
+
+#include "arrangement/TriangleTree.hpp"
+#include "meshing/CellAngles.hpp"
+
+#include "base/Text.hpp"
+#include "mesh/SimplexGeometry.hpp"
+
+#include <iostream>
+#include <set>
+
+namespace asperity::geometry
+{
+namespace
+{
+const double degrees_per_radian = 180 / std::acos(-1.);
+
+std::string areaText(double area) { return formatShort(area / 1e6) + " km^2"; }
+
+std::vector<Point<3>> pointsOf(std::vector<Point<3>> const& all,
+                               std::vector<Triangle> const& triangles)
+{
+  std::set<int> numbers;
+  for (auto const& t : triangles) {
+    numbers.insert(t.begin(), t.end());
+  }
+  std::vector<Point<3>> points;
+  for (int v : numbers) {
+    points.push_back(all[v]);
+  }
+  return points;
+}
+
+std::string shapeText(FaultShape const& shape)
+{
+  return areaText(shape.area) + ", strike " + formatted("%.0f", shape.strike) + ", dip " +
+         formatted("%.0f", shape.dip) + " degrees";
+}
+
+void reportDropped(Arranged const& arranged, std::ostream& out)
+{
+  struct Sum
+  {
+    int number = 0;
+    double area = 0, largest = 0;
+    Point<3> place{};
+  };
+  constexpr char const* reasons[] = {"outside the box or above the ground",
+                                     "across another surface after a border was moved there",
+                                     "stubs"};
+  std::map<std::pair<std::string, int>, Sum> sums;
+  for (auto const& piece : arranged.dropped) {
+    if (!piece.is_fault) {
+      continue; // ground and walls are made too large
+    }
+    auto& sum = sums[{piece.surface, static_cast<int>(piece.reason)}];
+    ++sum.number;
+    sum.area += piece.area;
+    if (piece.area > sum.largest) {
+      sum.largest = piece.area;
+      sum.place = piece.place;
+    }
+  }
+  for (auto const& [key, sum] : sums) {
+    out << "left out of '" << key.first << "': " << sum.number
+        << (sum.number == 1 ? " piece " : " pieces ") << reasons[key.second] << ", "
+        << areaText(sum.area) << ", the largest at " << placeText(sum.place) << '\n';
+  }
+}
+} // namespace
+
+FaultShape shapeOf(std::vector<Point<3>> const& points, std::vector<Triangle> const& triangles)
+{
+  FaultShape shape;
+  Point<3> sum{};
+  for (auto const& triangle : triangles) {
+    shape.area += areaOf(points, triangle);
+    const auto normal = normalOf(points, triangle);
+    for (int d = 0; d < 3; ++d) {
+      sum[d] += normal[d];
+    }
+  }
+  const double length = std::sqrt(mesh::dot<3>(sum, sum));
+  if (length > 0) {
+    if (sum[2] < 0) {
+      sum = {-sum[0], -sum[1], -sum[2]};
+    }
+    shape.dip = std::acos(std::clamp(sum[2] / length, -1., 1.)) * degrees_per_radian;
+    // The normal that points up leans towards the direction of dip.
+    shape.strike = std::atan2(sum[0], sum[1]) * degrees_per_radian - 90;
+    shape.strike += shape.strike < 0 ? 360 : 0;
+  }
+  return shape;
+}
+
+DistanceAt largestDistance(std::vector<Point<3>> const& points, std::vector<Triangle> const& facets,
+                           TriangleSurface const& surface)
+{
+  const TriangleTree tree(surface.points, surface.triangles);
+  DistanceAt largest;
+  for (auto const& facet : facets) {
+    const auto centre = centroidOf(points, facet);
+    const double distance = tree.nearest(centre).distance;
+    if (distance > largest.distance) {
+      largest = {distance, centre};
+    }
+  }
+  return largest;
+}
+
+std::vector<CellAngle> smallestAngles(GlobalMesh<3> const& mesh, std::size_t number)
+{
+  std::vector<CellAngle> angles;
+  for (auto const& cell : mesh.cells) {
+    const auto x = mesh::corners<3>(mesh.vertices, cell);
+    auto& angle = angles.emplace_back();
+    angle.degrees = smallestDihedral(x);
+    for (auto const& corner : x) {
+      for (int d = 0; d < 3; ++d) {
+        angle.place[d] += corner[d] / 4;
+      }
+    }
+  }
+  number = std::min(number, angles.size());
+  std::partial_sort(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(number),
+                    angles.end(),
+                    [](auto const& a, auto const& b) { return a.degrees < b.degrees; });
+  angles.resize(number);
+  return angles;
+}
+
+void report(Arranged const& arranged, Model const& model, std::ostream& out)
+{
+  std::vector<std::vector<Triangle>> of_surface(model.surfaces.size());
+  for (std::size_t i = 0; i < arranged.complex.triangles.size(); ++i) {
+    of_surface[arranged.complex.surfaces[i]].push_back(arranged.complex.triangles[i]);
+  }
+  for (int s = 0; s < model.num_faults; ++s) {
+    out << "fault '" << model.name(s)
+        << "': " << shapeText(shapeOf(arranged.complex.points, of_surface[s])) << ", given "
+        << areaText(areaOf(model.surfaces[s].surface)) << "; "
+        << extentText(pointsOf(arranged.complex.points, of_surface[s])) << '\n';
+  }
+  reportDropped(arranged, out);
+  if (arranged.num_pushed > 0) {
+    out << "borders moved to meet another surface: " << arranged.num_pushed << " points (Snap)\n";
+  }
+  if (arranged.num_contracted > 0) {
+    out << "short curves contracted: " << arranged.num_contracted << " (Shortest Edge)\n";
+  }
+  for (auto const& junction : junctions(arranged.complex, model)) {
+    out << "faults '" << junction.first << "' and '" << junction.second << "' "
+        << (junction.is_crossing ? "cross" : "meet") << " along "
+        << formatShort(junction.length / 1000) << " km, from " << placeText(junction.from) << " to "
+        << placeText(junction.to) << '\n';
+  }
+  const auto angle = smallestAngle(arranged.complex, model);
+  out << "smallest angle between surfaces: " << formatted("%.1f", angle.degrees) << " degrees, of '"
+      << angle.first << "' and '" << angle.second << "' at " << placeText(angle.place) << '\n';
+  const auto curve = shortestCurve(arranged.complex);
+  out << "shortest curve: " << formatShort(curve.length) << " m at " << placeText(curve.place)
+      << std::endl;
+}
+
+void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out)
+{
+  for (int s = 0; s < model.num_faults; ++s) {
+    auto const& facets = mesh.boundaries.at(model.name(s));
+    const auto off = largestDistance(mesh.vertices, facets, model.surfaces[s].surface);
+    out << "fault '" << model.name(s) << "': " << facets.size() << " facets, "
+        << shapeText(shapeOf(mesh.vertices, facets)) << ", centres at most "
+        << formatShort(off.distance) << " m from what was given, at " << placeText(off.place)
+        << '\n';
+  }
+  constexpr std::size_t shown = 3;
+  out << "smallest dihedral angles of cells:";
+  for (auto const& angle : smallestAngles(mesh, shown)) {
+    out << ' ' << formatted("%.1f", angle.degrees) << " degrees at " << placeText(angle.place)
+        << ';';
+  }
+  out << '\n';
+}
+} // namespace asperity::geometry

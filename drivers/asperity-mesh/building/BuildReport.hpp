@@ -1,0 +1,44 @@
+#pragma once
+
+#include "arrangement/Arranged.hpp"
+
+#include "mesh/GlobalMesh.hpp"
+
+#include <iosfwd>
+#include <vector>
+
+namespace asperity::geometry
+{
+// A fault, or a part of one, as a plane that fits it.
+struct FaultShape
+{
+  double area = 0;   // [m^2]
+  double strike = 0; // degrees clockwise from y; the fault dips to the right of it
+  double dip = 0;    // degrees from the horizontal
+};
+FaultShape shapeOf(std::vector<Point<3>> const& points, std::vector<Triangle> const& triangles);
+
+// The largest distance [m] of the centroids of facets from a surface, and where.
+struct DistanceAt
+{
+  double distance = 0;
+  Point<3> place{};
+};
+DistanceAt largestDistance(std::vector<Point<3>> const& points, std::vector<Triangle> const& facets,
+                           TriangleSurface const& surface);
+
+// The cells with the smallest dihedral angles, ascending.
+struct CellAngle
+{
+  double degrees = 180;
+  Point<3> place{}; // the centre of the cell
+};
+std::vector<CellAngle> smallestAngles(GlobalMesh<3> const& mesh, std::size_t number);
+
+// What the arrangement has: faults, what was left out and why, where faults meet, the smallest
+// angle and the shortest curve.
+void report(Arranged const& arranged, Model const& model, std::ostream& out);
+
+// What the mesh has, before or after the split.
+void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out);
+} // namespace asperity::geometry

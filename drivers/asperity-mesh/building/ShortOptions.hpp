@@ -1,0 +1,24 @@
+#pragma once
+
+#include "parameters/Parameters.hpp"
+
+#include <string>
+#include <vector>
+
+namespace asperity::geometry
+{
+// The options that stand for a deck of `asperity-mesh build`; an empty one was not given.
+struct ShortOptions
+{
+  std::vector<std::string> faults; // NAME=FILE[,KEY=VALUE]...
+  std::string ground;              // FILE[,KEY=VALUE]...
+  std::string units;               // of all files that name none
+  std::string size, largest, growth, margin, depth, snap, projection;
+  std::vector<std::string> assignments; // "Path/To/Parameter=value"
+};
+
+// Adds to a deck, or replaces in it, what the options say. A key is the name of a parameter in
+// small letters with - for blanks; a length may have its unit, as 500m or 20km. InputError for what
+// has not the form.
+void applyOptions(ShortOptions const& options, ParameterList& deck);
+} // namespace asperity::geometry

@@ -1,0 +1,21 @@
+#include "meshing/CellAngles.hpp"
+
+#include "mesh/SimplexGeometry.hpp"
+
+namespace asperity::geometry
+{
+double smallestDihedral(std::array<Point<3>, 4> const& x)
+{
+  constexpr int edges[6][4] = {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2},
+                               {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}};
+  double largest_cosine = -1;
+  for (auto const& [i, j, k, l] : edges) {
+    const auto along = mesh::difference<3>(x[j], x[i]);
+    const auto u = mesh::cross(along, mesh::difference<3>(x[k], x[i]));
+    const auto v = mesh::cross(along, mesh::difference<3>(x[l], x[i]));
+    largest_cosine = std::max(largest_cosine, mesh::dot<3>(u, v) /
+                                                std::sqrt(mesh::dot<3>(u, u) * mesh::dot<3>(v, v)));
+  }
+  return std::acos(std::min(largest_cosine, 1.)) * 180 / std::acos(-1.);
+}
+} // namespace asperity::geometry

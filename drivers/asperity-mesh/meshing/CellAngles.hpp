@@ -1,0 +1,9 @@
+#pragma once
+
+#include "mesh/Mesh.hpp"
+
+namespace asperity::geometry
+{
+// The smallest of the six angles between faces of a cell [degrees].
+double smallestDihedral(std::array<Point<3>, 4> const& corners);
+} // namespace asperity::geometry

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "arrangement/Box.hpp"
+#include "meshing/CellSize.hpp"
+
+namespace asperity::geometry
+{
+// Places where a curve comes nearer to another curve or patch that it does not meet than the size
+// of cells there, and that distance, at least `smallest_share` of that size: cells there have to be
+// smaller to keep good angles.
+std::vector<std::pair<Point<3>, double>> narrowPlaces(Complex const& complex, CellSize const& size,
+                                                      double smallest_share);
+} // namespace asperity::geometry

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "arrangement/Box.hpp"
+#include "meshing/CellSize.hpp"
+
+#include "mesh/GlobalMesh.hpp"
+
+#include <functional>
+#include <string>
+
+namespace asperity::geometry
+{
+// Divides curves, patches and the volume between them into cells with Gmsh: the surfaces keep their
+// names, and the mesh is not yet split along the faults. `tell` gets a line for each step.
+//
+// InputError, with Gmsh's reason, if Gmsh cannot do it, or a patch is closed or has a handle.
+GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize const& size,
+                         std::function<void(std::string const&)> const& tell);
+} // namespace asperity::geometry

@@ -1,0 +1,188 @@
+"""asperity-mesh build, from files of surfaces to a mesh that the main program takes.
+
+Arguments: asperity-mesh and asperity.
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import time_limits
+
+MESH, MAIN = sys.argv.pop(1), sys.argv.pop(1)
+OPTIONS = ["--size", "3km", "--largest", "10km", "--margin", "15km", "--depth", "25000"]
+
+DECK = """<ParameterList name="Asperity">
+  <ParameterList name="Faults">
+    <ParameterList name="main">
+      <Parameter name="Surface File" type="string" value="main.off"/>
+      <Parameter name="Units" type="string" value="km"/>
+    </ParameterList>
+    <ParameterList name="branch">
+      <Parameter name="Surface File" type="string" value="branch.off"/>
+      <Parameter name="Units" type="string" value="km"/>
+      <Parameter name="Cell Size" type="string" value="3000 + 0 * z"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="Box">
+    <Parameter name="Margin" type="double" value="15e3"/>
+    <Parameter name="Depth" type="double" value="25e3"/>
+    <Parameter name="Ground" type="string" value="surface"/>
+  </ParameterList>
+  <Parameter name="Cell Size" type="double" value="3000"/>
+  <Parameter name="Largest" type="double" value="10e3"/>
+</ParameterList>
+"""
+
+RUN = """<ParameterList name="Asperity">
+  <ParameterList name="Mesh">
+    <Parameter name="Type" type="string" value="File"/>
+    <ParameterList name="File">
+      <Parameter name="File Name" type="string" value="built.h5"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="Bulk">
+    <Parameter name="Model" type="string" value="Solid"/>
+    <Parameter name="Density" type="double" value="2670"/>
+    <Parameter name="Shear Modulus" type="double" value="32e9"/>
+    <Parameter name="Poisson's Ratio" type="double" value="0.25"/>
+  </ParameterList>
+  <ParameterList name="Friction">
+    <Parameter name="Law" type="string" value="Regularised"/>
+    <Parameter name="State Evolution" type="string" value="Ageing"/>
+    <Parameter name="a" type="double" value="0.02"/>
+    <Parameter name="b" type="double" value="0.03"/>
+    <Parameter name="L" type="double" value="3.0"/>
+    <Parameter name="Reference Slip Rate" type="double" value="1e-6"/>
+    <Parameter name="Reference Friction Coefficient" type="double" value="0.6"/>
+    <Parameter name="Normal Stress" type="double" value="25e6"/>
+  </ParameterList>
+  <ParameterList name="Boundary Conditions">
+CONDITIONS  </ParameterList>
+  <ParameterList name="Initial State">
+    <Parameter name="Slip Rate" type="double" value="1e-9"/>
+  </ParameterList>
+  <ParameterList name="Time Stepping">
+    <Parameter name="Final Time" type="double" value="10"/>
+  </ParameterList>
+</ParameterList>
+"""
+
+
+def condition(boundary, kind):
+    return (f'    <ParameterList name="At {boundary}">\n'
+            f'      <Parameter name="Boundary" type="string" value="{boundary}"/>\n'
+            f'      <Parameter name="Type" type="string" value="{kind}"/>\n'
+            "    </ParameterList>\n")
+
+
+def run(program, *arguments):
+    return subprocess.run([program, *arguments], capture_output=True, text=True,
+                          timeout=time_limits.seconds(300))
+
+
+def write_rectangle(name, origin, along, down):
+    corners = [[o + s * a + t * d for o, a, d in zip(origin, along, down)]
+               for s, t in ((0, 0), (1, 0), (1, 1), (0, 1))]
+    lines = ["OFF", "4 2 0", *(" ".join(map(repr, corner)) for corner in corners), "3 0 1 2",
+             "3 0 2 3"]
+    pathlib.Path(name).write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+class Build(unittest.TestCase):
+    def setUp(self):
+        for path in pathlib.Path(".").glob("*.h5*"):
+            path.unlink()
+        # km; the branch ends at the main fault but for 20 m, and goes beyond the ground
+        write_rectangle("main.off", (-10.0, 0.0, 1.0), (20.0, 0, 0), (0, 0, -11.0))
+        write_rectangle("branch.off", (0.0, 0.02, 1.0), (6.0, 6.0, 0), (0, 0, -11.0))
+        write_rectangle("far.off", (-10.0, 900.0, 1.0), (20.0, 0, 0), (0, 0, -11.0))
+        write_rectangle("across.off", (-2.0, -6.0, 1.0), (4.0, 12.0, 0), (0, 0, -11.0))
+
+    def assert_refused(self, arguments, *pieces):
+        result = run(MESH, "build", *arguments)
+        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
+        message = result.stderr.splitlines()[-1]
+        self.assertTrue(message.startswith("asperity-mesh: "), message)
+        for piece in pieces:
+            self.assertIn(piece, message)
+        self.assertFalse(list(pathlib.Path(".").glob("*.h5*")))
+
+    def test_deck_to_a_mesh_that_runs(self):
+        pathlib.Path("model.xml").write_text(DECK, encoding="utf-8")
+        result = run(MESH, "build", "model.xml", "built.h5")
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        # 20 km times 10 km below the ground, and 6.02 sqrt(2) km times 10 km
+        self.assertRegex(result.stdout, r"fault 'main': \d+ facets, 200 km\^2")
+        self.assertRegex(result.stdout, r"fault 'branch': \d+ facets, 85\.13\d* km\^2")
+        self.assertIn("faults 'main' and 'branch' meet along", result.stdout)
+        info = run(MESH, "info", "built.h5").stdout
+        for name in ("west", "east", "south", "north", "bottom", "surface"):
+            self.assertIn(f"boundary         {name}: ", info)
+        for name in ("main", "branch"):
+            self.assertIn(f"fault            {name}: ", info)
+        faults = [condition(name, "Two-Sided Fault") for name in ("main", "branch")]
+        sides = [condition(name, "Fixed") for name in ("west", "east", "south", "north", "bottom")]
+        conditions = "".join([*faults, *sides, condition("surface", "Free Surface")])
+        pathlib.Path("run.xml").write_text(RUN.replace("CONDITIONS", conditions), encoding="utf-8")
+        result = run(MAIN, "run.xml", "--validate")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("run.xml is valid.", result.stdout)
+
+    def test_options_say_the_same(self):
+        pathlib.Path("model.xml").write_text(DECK, encoding="utf-8")
+        by_deck = run(MESH, "build", "model.xml", "--dry").stdout
+        result = run(MESH, "build", "--dry", "--fault", "main=main.off", "--fault",
+                     "branch=branch.off,size=3000", "--units", "km", *OPTIONS)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        times = re.compile(r"^ *[0-9.]+ s ", re.MULTILINE)
+        self.assertEqual(times.sub("", result.stdout), times.sub("", by_deck))
+        self.assertFalse(list(pathlib.Path(".").glob("*.h5")))
+
+    def test_units_are_not_guessed(self):
+        self.assert_refused(["out.h5", "--fault", "main=main.off", *OPTIONS], "Faults / main",
+                            "Units")
+
+    def test_wrong_units(self):
+        # In metres the fault is 20 m long.
+        self.assert_refused(["out.h5", "--fault", "main=main.off", "--fault", "far=far.off",
+                             "--units", "km", *OPTIONS[:4], "--set", "Box/Lower={-3e4,-3e4,-3e4}",
+                             "--set", "Box/Upper={3e4,3e4,0}"], "'far'", "Units", "900")
+
+    def test_crossing_faults_are_named_with_advice(self):
+        self.assert_refused(["out.h5", "--fault", "main=main.off", "--fault",
+                             "across=across.off", "--units", "km", *OPTIONS],
+                            "'across' and 'main' cross", "end at the other", "Nothing is written")
+
+    def test_tolerance(self):
+        # A sharp ridge that cells of this size cannot follow is rounded off.
+        rows = [(x / 2, abs((x % 4) - 2) * 0.4) for x in range(0, 25)]
+        points = [f"{x} {y} {z}" for x, y in rows for z in (-1.0, -9.0)]
+        faces = []
+        for i in range(len(rows) - 1):
+            faces += [f"3 {2 * i} {2 * i + 2} {2 * i + 3}", f"3 {2 * i} {2 * i + 3} {2 * i + 1}"]
+        text = "\n".join(["OFF", f"{len(points)} {len(faces)} 0", *points, *faces])
+        pathlib.Path("ridge.off").write_text(text + "\n", encoding="utf-8")
+        self.assert_refused(["out.h5", "--fault", "ridge=ridge.off", "--units", "km", *OPTIONS,
+                             "--set", "Tolerance=10"], "'ridge'", "Tolerance = 10", "Cell Size")
+
+    def test_forms_of_options(self):
+        self.assert_refused(["--fault", "main=main.off", *OPTIONS], "OUT.h5")
+        self.assert_refused(["out.h5", "--fault", "main.off", *OPTIONS], "NAME=FILE")
+        self.assert_refused(["out.h5", "--fault", "main=main.off,units=miles", *OPTIONS],
+                            "Faults / main / Units", "'km'")
+        self.assert_refused(["out.h5", "--fault", "main=main.off,colour=red", "--units", "km",
+                             *OPTIONS], "Colour")
+        self.assert_refused(["out.h5", *OPTIONS], "Faults")
+
+    def test_parameters_are_printed(self):
+        result = run(MESH, "build", "--print-parameters")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for name in ("Surface File", "Margin", "Trim Stubs", "Projection"):
+            self.assertIn(name, result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
