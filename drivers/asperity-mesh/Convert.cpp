@@ -4,6 +4,7 @@
 #include "TargetFolder.hpp"
 #include "formats/MeshFormat.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/TouchingFacets.hpp"
 

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <iostream>
 
-// Makes meshes, converts those of other programs into Asperity's HDF5 files, and partitions them. A
-// serial program: MPI is not started.
+// Makes meshes, converts those of other programs, and partitions them. MPI is not started.
 namespace
 {
 struct Command
