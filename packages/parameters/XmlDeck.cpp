@@ -87,7 +87,7 @@ ParameterEntry readValue(XMLObject const& element, std::string const& where)
     return ParameterEntry(value);
   }
   static const std::set<std::string> known_types = {"bool",       "int",    "Array(double)",
-                                             "Array(int)", "double", "float"};
+                                                    "Array(int)", "double", "float"};
   if (known_types.count(type) == 0) {
     return readForeign(element, where);
   }

@@ -120,7 +120,7 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
   if (problem.surface().numSliding() == 0) {
     return;
   }
-  // A corner between a boundary that is held in all directions and a wall is told of by the former.
+  // A corner of a boundary that is held in all directions and a wall is reported for the former.
   auto conditions = readConditions(deck.sublist("Boundary Conditions"));
   std::stable_sort(conditions.begin(), conditions.end(),
                    [](auto const& a, auto const& b) { return holdsMore(a) > holdsMore(b); });

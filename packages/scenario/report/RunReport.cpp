@@ -120,10 +120,10 @@ void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
       description.warnings.push_back(
         {"flat cells",
          std::string("Mesh / ") + entry + " names '" + name +
-           "', along which slip is prescribed and ends inside the body. Flat cells make friction "
-           "see the right stiffness, and do not improve what slip that is given does to the body: "
-           "within two cells of its ends displacements err by 10 to 30 %, and move with the "
-           "vertices. Leave '" +
+           "', along which slip is prescribed and ends inside the body. Flat cells give "
+           "friction the right stiffness, but do not improve the response of the body to "
+           "prescribed slip: within two cells of its ends displacements err by 10 to 30 %, and "
+           "move with the vertices. Leave '" +
            name + "' out, and take smaller cells there."});
     }
   }
@@ -156,7 +156,7 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   if (!problem.discretisation.boundary.given_slip.empty()) {
     lines.push_back(
       "The slip rate is prescribed on " + quotedNames(problem.discretisation.boundary.given_slip) +
-      (problem.surface().numSliding() > 0 ? "." : ", hence everywhere: friction decides nowhere."));
+      (problem.surface().numSliding() > 0 ? "." : ", hence everywhere: friction acts nowhere."));
   }
   if (!problem.discretisation.rock.branches.empty()) {
     std::string times;

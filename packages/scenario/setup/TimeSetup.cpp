@@ -105,9 +105,9 @@ Entries<TimeSettings> timeEntries()
              "continues the count unless Smallest Step is smaller.")
     .integer(dynamics::GrowthWatch::limit, 10, Range::atLeast(0),
              "The run ends with an error after this number of steps that hide a growing slip rate: "
-             "after them the peak slip rate is more than twice that before, and slips in a step by "
-             "more than a tenth of L if the step does not meet the tolerance even at the smallest "
-             "size, by more than L if it meets it. The two kinds are counted apart, and a restart "
+             "the peak slip rate has more than doubled, and the fault slips in that step by more "
+             "than a tenth of L if the step does not meet the tolerance even at the smallest size, "
+             "by more than L if it meets it. The two kinds are counted apart, and a restart "
              "continues the counts: the first begins again with a smaller Smallest Step, the "
              "second with a smaller Tolerance. 0 means no limit, but a warning.");
   entries

@@ -75,7 +75,7 @@ class RigidBlocks(unittest.TestCase):
         self.check(folder)
         self.assertIn("fields/alpha", asperity_run.series(folder / "fault.h5"))
         log = (folder / "run.log").read_text()
-        self.assertIn("friction decides nowhere", log)
+        self.assertIn("friction acts nowhere", log)
         self.assertNotIn("cohesive zone", log)
 
     def test_as_a_type_of_fault(self):

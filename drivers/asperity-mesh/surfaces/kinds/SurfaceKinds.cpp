@@ -59,8 +59,9 @@ void chooseSurfaceType(ParameterList& list, std::string const& path)
       found.push_back(kind.name);
     }
   }
-  ASPERITY_REQUIRE(!found.empty(), path << " says not where its surface comes from. Give one of "
-                                        << quotedNames(all) << ".");
+  ASPERITY_REQUIRE(!found.empty(), path
+                                     << " does not say where its surface comes from. Give one of "
+                                     << quotedNames(all) << ".");
   ASPERITY_REQUIRE(found.size() == 1, path << " has sources of several types: "
                                            << quotedNames(found) << ". Remove all but one.");
   list.set(type_name, found.front());
