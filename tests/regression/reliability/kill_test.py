@@ -104,20 +104,21 @@ class Killed(unittest.TestCase):
 
     def test_one_rank_of_two(self):
         """The other one does not wait for ever, and the last checkpoint is good."""
-        total = faults.count_operations(runs.fresh("one_rank"), *runs.SHORT_RUN, ranks=2,
-                                        kind="kill")
+        totals = [faults.count_operations(runs.fresh("one_rank"), *runs.SHORT_RUN, ranks=2,
+                                          rank=rank, kind="kill") for rank in (0, 1)]
         again = 0
         for seed in range(OF_RANKS):
             with self.subTest(seed=seed):
                 chance = random.Random(seed)
                 folder = runs.fresh("one_rank")
-                number = chance.randrange(1, total // 3)
-                result = self.kill_in(folder, number, ranks=2, rank=seed % 2)
-                self.assertNotEqual(result.returncode, runs.DONE, f"{number} of {total}")
+                rank, other = seed % 2, (seed + 1) % 2
+                number = chance.randrange(1, totals[rank] // 3)
+                result = self.kill_in(folder, number, ranks=2, rank=rank)
+                self.assertNotEqual(result.returncode, runs.DONE, f"{number} of {totals[rank]}")
                 runs.wait_for_lock(folder)
                 if seed < TWICE_OF_RANKS:  # then the other rank
-                    result = self.kill_in(folder, chance.randrange(1, total // 3), ranks=2,
-                                          rank=(seed + 1) % 2)
+                    result = self.kill_in(folder, chance.randrange(1, totals[other] // 3), ranks=2,
+                                          rank=other)
                     again += result.returncode != runs.DONE  # it may have finished before
                     runs.wait_for_lock(folder)
                 self.assert_goes_on(folder, 2)
