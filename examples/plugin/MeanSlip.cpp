@@ -26,6 +26,7 @@ public:
     return parameters.list();
   }
   static std::string meaning() { return "Slip averaged over the fault: mean_slip.csv."; }
+  static std::string neededDomain() { return "fault"; } // left out of models without one
 
   MeanSlip(Teuchos::ParameterList const& parameters, OutputContext const& context)
       : fault_(context.domain("fault"))
