@@ -96,7 +96,7 @@ def goes_to_other_runs():
             fails = fails or waves > limit
         print(f"--restart-from, {name} mesh, {ranks} ranks: {errors}{' NO' if fails else ''}",
               flush=True)
-        failures += fails
+        failures += bool(fails)
     return failures + refusals(half)
 
 
