@@ -16,8 +16,9 @@ NodeSets nodeSets(Problem<Dim> const& problem, Domains const& domains)
   auto const& ids = problem.mesh().global_ids;
   NodeSets sets;
   sets[nodes_of_body].assign(ids.begin(), ids.begin() + problem.mesh().num_owned);
+  auto& friction = sets[nodes_of_friction]; // also of a rank without nodes of the fault
   for (const int vertex : problem.surface().vertices()) {
-    sets[nodes_of_friction].push_back(ids[vertex]);
+    friction.push_back(ids[vertex]);
   }
   if (problem.model.body.cells) {
     sets[yielding_cells] = problem.model.body.cells->sharing().numbers();
