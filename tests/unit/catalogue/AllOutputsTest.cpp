@@ -77,7 +77,7 @@ TEST(OutputSet, AKilledAndRestartedRunLeavesTheSameData)
     Body body;
     OutputSet outputs(deck(), {whole.path(), world(), body.fields, body.domains});
     test::steps(outputs, body, whole.path(), 0, num_steps + 1);
-    test::finish(outputs, whole.path());
+    test::finish(outputs, body, whole.path());
     EXPECT_EQ(outputs.numEvents(), 3);
     test::expectParts(outputs.report(), {"\n3 events\n"});
   }
@@ -90,11 +90,11 @@ TEST(OutputSet, AKilledAndRestartedRunLeavesTheSameData)
   {
     Body body;
     OutputSet outputs(deck(), {broken.path(), world(), body.fields, body.domains});
-    const Archive archive =
-      readCheckpoint(broken / "checkpoint.h5", Fingerprint{{{"Asperity", "deck", ""}}}, *world());
+    const Archive archive = readCheckpoint(
+      broken / "checkpoint.h5", Fingerprint{{{"Asperity", "deck", ""}}}, *world(), body.nodeSets());
     outputs.restore(archive.child("outputs"));
     test::steps(outputs, body, broken.path(), 25, num_steps + 1);
-    test::finish(outputs, broken.path());
+    test::finish(outputs, body, broken.path());
   }
   test::onRankZero([&] {
     expectSameData(

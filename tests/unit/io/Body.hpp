@@ -54,18 +54,28 @@ struct Body
     return {step, time, 0.25, rate(0), step == num_steps, step / 8.0};
   }
 
+  NodeSets nodeSets() const
+  {
+    NodeSets sets;
+    for (auto const& [name, domain] : domains) {
+      sets[name].assign(domain.node_numbers.begin(), domain.node_numbers.end());
+    }
+    return sets;
+  }
+
   double time = 0;
   io::FieldRegistry fields;
   std::map<std::string, io::OutputDomain> domains;
 };
 
-inline void checkpoint(io::OutputSet& outputs, std::filesystem::path const& directory)
+inline void checkpoint(io::OutputSet& outputs, Body const& body,
+                       std::filesystem::path const& directory)
 {
   outputs.closeSegment();
   Archive archive;
   archive.insert("outputs", outputs.save());
   io::writeCheckpoint(directory / "checkpoint.h5", archive,
-                      io::Fingerprint{{{"Asperity", "deck", ""}}}, *world());
+                      io::Fingerprint{{{"Asperity", "deck", ""}}}, *world(), body.nodeSets());
 }
 
 inline void steps(io::OutputSet& outputs, Body& body, std::filesystem::path const& directory,
@@ -74,14 +84,14 @@ inline void steps(io::OutputSet& outputs, Body& body, std::filesystem::path cons
   for (int step = first; step < end; ++step) {
     outputs.write(body.at(step));
     if (step % 25 == 24) {
-      checkpoint(outputs, directory);
+      checkpoint(outputs, body, directory);
     }
   }
 }
 
-inline void finish(io::OutputSet& outputs, std::filesystem::path const& directory)
+inline void finish(io::OutputSet& outputs, Body const& body, std::filesystem::path const& directory)
 {
-  checkpoint(outputs, directory);
+  checkpoint(outputs, body, directory);
   outputs.finish();
 }
 } // namespace asperity::test

@@ -42,7 +42,7 @@ TEST(OutputSet, WritesRowsWhereTheDeckAsks)
   Body body;
   OutputSet outputs(deck(), {directory.path(), world(), body.fields, body.domains});
   test::steps(outputs, body, directory.path(), 0, num_steps + 1);
-  test::finish(outputs, directory.path());
+  test::finish(outputs, body, directory.path());
   test::onRankZero([&] {
     EXPECT_EQ(test::readNumbers(directory / "volume.h5", "time"),
               (std::vector<double>{0, 3.25, 9, 15}));
@@ -119,7 +119,7 @@ TEST(OutputSet, AKindWhoseDomainTheRunHasNotIsLeftOut)
   ParameterList list = given;
   OutputSet outputs(list, {directory.path(), world(), body.fields, body.domains});
   test::steps(outputs, body, directory.path(), 0, num_steps + 1);
-  test::finish(outputs, directory.path());
+  test::finish(outputs, body, directory.path());
   EXPECT_TRUE(fs::exists(directory / "fault.h5"));
   EXPECT_FALSE(fs::exists(directory / "surface.h5"));
   EXPECT_TRUE(outputs.leftOut().empty()) << "the deck does not ask for it";
