@@ -139,6 +139,12 @@ class Refused(unittest.TestCase):
         self.refuse({"Friction/Normal Stress": 1e6}, "Asperity / Friction has no effect",
                     "has no condition of Type")
 
+    def test_a_restart_without_a_fault(self):
+        folder = asperity_run.run_to_end("to_go_on", DECK)
+        result = asperity_run.run("--restart", folder)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Restarted from", result.stdout)
+
 
 if __name__ == "__main__":
     unittest.main()

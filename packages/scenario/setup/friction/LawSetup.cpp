@@ -114,14 +114,20 @@ void chooseLaws(ParameterList& friction, bool is_needed)
   const auto chooseNone = [&friction](std::string const& entry, char const* none) {
     friction.setEntry(entry, Teuchos::ParameterEntry(std::string(none), true));
   };
-  const bool names_law = friction.isParameter(friction_choice) ||
-                         friction.isParameter(state_choice) ||
+  // None, or left out: parameters.xml of a run without friction has None.
+  const auto isNone = [&friction](std::string const& entry, char const* none) {
+    return !friction.isParameter(entry) ||
+           (friction.isType<std::string>(entry) && friction.get<std::string>(entry) == none);
+  };
+  const bool names_law = !isNone(friction_choice, friction::NoFriction::name) ||
+                         !isNone(state_choice, friction::NoState::name) ||
                          std::any_of(friction.begin(), friction.end(),
                                      [](auto const& entry) { return isOfLaw(entry.first); });
   if (!is_needed && !names_law) {
     chooseNone(friction_choice, friction::NoFriction::name);
   }
-  if (!friction.isParameter(state_choice) && friction.isType<std::string>(friction_choice) &&
+  if (isNone(state_choice, friction::NoState::name) &&
+      friction.isType<std::string>(friction_choice) &&
       friction.get<std::string>(friction_choice) == friction::NoFriction::name) {
     chooseNone(state_choice, friction::NoState::name);
   }
