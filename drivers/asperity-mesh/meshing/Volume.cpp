@@ -3,6 +3,7 @@
 #include "GmshSession.hpp"
 #include "arrangement/Curves.hpp"
 #include "arrangement/Patches.hpp"
+#include "meshing/MeshInGmsh.hpp"
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
@@ -20,7 +21,7 @@ namespace model = gmsh::model;
 using Tell = std::function<void(std::string const&)>;
 
 // Gmsh's types of elements
-constexpr int type_point = 15, type_segment = 1, type_triangle = 2, type_tetrahedron = 4;
+constexpr int type_point = 15, type_segment = 1, type_triangle = 2;
 
 std::size_t tagOf(int point) { return static_cast<std::size_t>(point) + 1; }
 
@@ -266,65 +267,7 @@ private:
   int volume_ = 0;
 };
 
-std::vector<std::size_t> elements(int dimension, int entity, int type)
-{
-  std::vector<int> types;
-  std::vector<std::vector<std::size_t>> tags, nodes;
-  model::mesh::getElements(types, tags, nodes, dimension, entity);
-  for (std::size_t i = 0; i < types.size(); ++i) {
-    if (types[i] == type) {
-      return nodes[i];
-    }
-  }
-  return {};
-}
-
-GlobalMesh<3> meshFromGmsh(std::map<std::string, std::vector<int>> const& surfaces)
-{
-  std::vector<std::size_t> tags;
-  std::vector<double> coordinates, ignored;
-  model::mesh::getNodes(tags, coordinates, ignored, -1, -1, false, false);
-  const auto cells = elements(3, -1, type_tetrahedron);
-  std::map<std::size_t, int> number;
-  for (std::size_t tag : cells) {
-    number[tag] = -1;
-  }
-  GlobalMesh<3> mesh;
-  for (std::size_t i = 0; i < tags.size(); ++i) {
-    const auto found = number.find(tags[i]);
-    if (found != number.end()) {
-      found->second = static_cast<int>(mesh.vertices.size());
-      mesh.vertices.push_back({coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]});
-    }
-  }
-  for (std::size_t i = 0; i < cells.size(); i += 4) {
-    auto& cell = mesh.cells.emplace_back();
-    std::transform(&cells[i], &cells[i] + 4, cell.begin(),
-                   [&](auto tag) { return number.at(tag); });
-  }
-  mesh.region_names = {"body"};
-  mesh.cell_regions.assign(mesh.cells.size(), 0);
-  for (auto const& [name, entities] : surfaces) {
-    auto& facets = mesh.boundaries[name];
-    for (int entity : entities) {
-      const auto corners = elements(2, entity, type_triangle);
-      for (std::size_t i = 0; i < corners.size(); i += 3) {
-        auto& facet = facets.emplace_back();
-        for (int k = 0; k < 3; ++k) {
-          const auto found = number.find(corners[i + k]);
-          ASPERITY_REQUIRE(found != number.end(), "Gmsh left a part of '"
-                                                    << name
-                                                    << "' out of the volume. Try another Cell "
-                                                       "Size, or a larger Snap.");
-          facet[k] = found->second;
-        }
-      }
-    }
-  }
-  return mesh;
-}
-
-// What Gmsh told on its errors.
+// The errors that Gmsh has reported.
 std::string complaints()
 {
   std::vector<std::string> lines;
@@ -404,7 +347,7 @@ GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize co
   model::mesh::getElementsByType(type_triangle, tags, nodes);
   tell("surfaces have " + std::to_string(tags.size()) + " facets");
   generate(3);
-  auto mesh = meshFromGmsh(discrete.surfacesByName());
+  auto mesh = meshInGmsh(discrete.surfacesByName());
   tell("the volume has " + std::to_string(mesh.cells.size()) + " cells");
   model::mesh::removeSizeCallback();
   mesh::orientCells(mesh);

@@ -76,7 +76,8 @@ class FullDisk(unittest.TestCase):
         whole = asperity_run.run_to_end("whole_ranks", *run, ranks=2)
         for rank in (0, 1):
             total = faults.count_operations(runs.fresh("ranks"), *run, ranks=2, rank=rank)
-            # Rank 0 alone writes tables and checkpoints, both ranks write histories.
+            # Rank 0 alone writes tables and checkpoints, both ranks write histories. 30 was chosen
+            # after rank 1 was seen to write 66 times.
             self.assertGreater(total, (200, 30)[rank])
             chosen = random.Random(rank).sample(range(1, total + 1), faults.trials(2, 60))
             for number in sorted(chosen):
