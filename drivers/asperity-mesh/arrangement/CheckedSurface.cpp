@@ -32,18 +32,6 @@ void requireNumbers(TriangleSurface const& surface, std::string const& where)
   }
 }
 
-double extentOf(std::vector<Point<3>> const& points)
-{
-  Point<3> low = points.front(), high = low;
-  for (auto const& point : points) {
-    for (int d = 0; d < 3; ++d) {
-      low[d] = std::min(low[d], point[d]);
-      high[d] = std::max(high[d], point[d]);
-    }
-  }
-  return mesh::distance<3>(low, high);
-}
-
 // Finds points that are nearer to each other than a tolerance, in cells of a grid.
 class PointNumbers
 {

@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace asperity::geometry
@@ -78,6 +79,18 @@ void keepTriangles(Complex& complex, std::vector<bool> const& is_kept, std::vect
 std::string placeText(Point<3> const& place)
 {
   return formatPoint({place[0] / 1000, place[1] / 1000, place[2] / 1000}) + " km";
+}
+
+double extentOf(std::vector<Point<3>> const& points)
+{
+  Point<3> low = points.front(), high = low;
+  for (auto const& point : points) {
+    for (int d = 0; d < 3; ++d) {
+      low[d] = std::min(low[d], point[d]);
+      high[d] = std::max(high[d], point[d]);
+    }
+  }
+  return mesh::distance<3>(low, high);
 }
 
 std::string extentText(std::vector<Point<3>> const& points)

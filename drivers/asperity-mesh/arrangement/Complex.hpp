@@ -55,4 +55,6 @@ void keepTriangles(Complex& complex, std::vector<bool> const& is_kept,
 std::string placeText(Point<3> const& place);
 // "x from -5 to 5 km, y ..., z ..."
 std::string extentText(std::vector<Point<3>> const& points);
+// The diagonal of the box around points, of which there are some [m].
+double extentOf(std::vector<Point<3>> const& points);
 } // namespace asperity::geometry

@@ -98,8 +98,8 @@ private:
       trees_.emplace_back(complex.points, list);
     }
     const TriangleTree ends(complex.points, corners);
+    const double rounding = 1e-8 * extentOf(complex.points);
     for (int v : on_curves) {
-      constexpr double rounding = 1e-3; // [m]
       const auto found = tree_of_surfaces.find(surfaces[v]);
       const auto& place = mesh_.vertices[v];
       const bool is_corner = ends.nearest(place).distance < rounding;
