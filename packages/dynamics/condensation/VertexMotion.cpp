@@ -90,7 +90,7 @@ RCP<const Vector> VertexMotion::withGhosts(RCP<const Vector> const& owned) const
     return owned;
   }
   auto const result = rcp(new Vector(whole_.dofs->overlap()));
-  result->doImport(*owned, *whole_.dofs->ghostImport(), Tpetra::INSERT);
+  whole_.dofs->shareWithGhosts(*owned, *result);
   return result;
 }
 

@@ -22,7 +22,7 @@ Body lockedAt(fem::FaultSurface const& surface, Body body)
     }
   }
   Vector with_ghosts(body.dofs->overlap());
-  with_ghosts.doImport(*owned, *body.dofs->ghostImport(), Tpetra::INSERT);
+  body.dofs->shareWithGhosts(*owned, with_ghosts);
   auto const flags = with_ghosts.getLocalViewHost(Tpetra::Access::ReadOnly);
   std::vector<int> held(flags.extent(0));
   for (std::size_t dof = 0; dof < held.size(); ++dof) {

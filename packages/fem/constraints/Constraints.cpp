@@ -336,7 +336,7 @@ void Constraints<Dim>::shareWithGhosts(DofMap const& dofs)
       }
     }
   }
-  local.doImport(owned, *dofs.ghostImport(), Tpetra::INSERT);
+  dofs.shareWithGhosts(owned, local);
   auto const values = local.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (int node = dofs.numOwnedNodes(); node < dofs.numLocalNodes(); ++node) {
     NodalFrames::Matrix frame{};

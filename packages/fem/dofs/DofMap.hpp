@@ -2,7 +2,13 @@
 
 #include "base/Types.hpp"
 
+#include <memory>
 #include <vector>
+
+namespace asperity
+{
+class GhostExchange;
+}
 
 namespace asperity::fem
 {
@@ -25,8 +31,8 @@ public:
   RCP<const Communicator> const& communicator() const { return communicator_; }
   RCP<const Map> const& owned() const { return owned_; }
   RCP<const Map> const& overlap() const { return overlap_; }
-  // From owned values to owned and ghost values.
-  RCP<const Import> const& ghostImport() const { return ghost_import_; }
+  // x_local := the values of x(owned dofs) at owned dofs and ghosts, on overlap(). Collective.
+  void shareWithGhosts(MultiVector const& x, MultiVector& x_local) const;
 
 private:
   int components_;
@@ -35,6 +41,6 @@ private:
   RCP<const Communicator> communicator_;
   RCP<const Map> owned_;
   RCP<const Map> overlap_;
-  RCP<const Import> ghost_import_;
+  std::shared_ptr<const GhostExchange> ghosts_; // of dofs
 };
 } // namespace asperity::fem

@@ -1,6 +1,5 @@
 #include "fem/inelastic/CellSharing.hpp"
 
-#include "base/Errors.hpp"
 #include "base/parallel/Directory.hpp"
 #include "base/parallel/Messages.hpp"
 
@@ -86,40 +85,29 @@ CellSharing::CellSharing(Mesh<Dim> const& mesh, std::vector<int> const& cells,
   std::stable_sort(wanted.begin(), wanted.end(),
                    [](Ghost const& a, Ghost const& b) { return a.owner < b.owner; });
   std::vector<long long> questions;
-  std::vector<int> to;
+  GhostExchange::Route sent, received;
   for (auto const& ghost : wanted) {
+    received.items.push_back(static_cast<int>(cells_.size()));
+    received.ranks.push_back(static_cast<int>(ghost.owner));
     cells_.push_back(ghost.cell);
     questions.push_back(communicator->getRank());
     questions.insert(questions.end(), ghost.corners.begin(), ghost.corners.end());
-    to.push_back(static_cast<int>(ghost.owner));
   }
   constexpr std::size_t width = Dim + 2;
-  auto const received = sendItems(questions, width, to, *communicator);
-  for (std::size_t i = 0; i < received.size(); i += width) {
+  auto const came = sendItems(questions, width, received.ranks, *communicator);
+  for (std::size_t i = 0; i < came.size(); i += width) {
     Corners<Dim> corners;
-    std::transform(received.begin() + i + 1, received.begin() + i + width, corners.begin(),
+    std::transform(came.begin() + i + 1, came.begin() + i + width, corners.begin(),
                    [](long long id) { return static_cast<GlobalOrdinal>(id); });
-    sent_.push_back(rows.at(corners));
-    destinations_.push_back(static_cast<int>(received[i]));
+    sent.items.push_back(rows.at(corners));
+    sent.ranks.push_back(static_cast<int>(came[i]));
   }
+  ghosts_ = GhostExchange(communicator, numOwned(), sent, received);
 }
 
 void CellSharing::exchange(BlockView const& values) const
 {
-  auto const host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace(), values);
-  const std::size_t width = host.extent(1);
-  std::vector<double> items;
-  for (const int row : sent_) {
-    for (std::size_t k = 0; k < width; ++k) {
-      items.push_back(host(row, k));
-    }
-  }
-  auto const arrived = sendItems(items, width, destinations_, *communicator_);
-  ASPERITY_ASSERT(arrived.size() == (cells_.size() - numbers_.size()) * width);
-  for (std::size_t i = 0; i < arrived.size(); ++i) {
-    host(numbers_.size() + i / width, i % width) = arrived[i];
-  }
-  Kokkos::deep_copy(values, host);
+  ghosts_.share<double>(NodeView(values.data(), values.size()), values.extent_int(1));
 }
 
 template CellSharing::CellSharing(Mesh<2> const&, std::vector<int> const&,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Views.hpp"
+#include "base/parallel/GhostExchange.hpp"
 #include "mesh/Mesh.hpp"
 
 #include <cstdint>
@@ -32,6 +33,6 @@ private:
   RCP<const Communicator> communicator_;
   std::vector<int> cells_;
   std::vector<std::int64_t> numbers_;
-  std::vector<int> sent_, destinations_; // rows of owned cells, and the ranks that want them
+  GhostExchange ghosts_; // of rows
 };
 } // namespace asperity::fem

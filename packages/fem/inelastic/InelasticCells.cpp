@@ -158,7 +158,7 @@ InelasticStrain InelasticCells::none() const
 
 ConstTensorView InelasticCells::strainOf(Vector const& u) const
 {
-  u_->doImport(u, *dofs_->ghostImport(), Tpetra::INSERT);
+  dofs_->shareWithGhosts(u, *u_);
   strains_->strain(*u_, strain_);
   return strain_;
 }

@@ -73,7 +73,7 @@ public:
   int respond(StepIterate const& step, NodeView const& image) override
   {
     ++num_asked;
-    local_.doImport(*step.u_in_body, *dofs_.ghostImport(), Tpetra::INSERT);
+    dofs_.shareWithGhosts(*step.u_in_body, local_);
     const fem::TensorView strain(image.data(), cells_.numCells(),
                                  image.extent(0) / cells_.numCells());
     strains_->strain(local_, strain);

@@ -42,7 +42,7 @@ TEST(DofMap, ImportsTheValuesOfGhostsFromTheirOwners)
       values(dof, 0) = static_cast<double>(dofs.owned()->getGlobalElement(dof));
     }
   }
-  local.doImport(owned, *dofs.ghostImport(), Tpetra::INSERT);
+  dofs.shareWithGhosts(owned, local);
   auto const values = local.getLocalViewHost(Tpetra::Access::ReadOnly);
   for (int dof = 0; dof < 2 * dofs.numLocalNodes(); ++dof) {
     EXPECT_EQ(values(dof, 0), static_cast<double>(dofs.overlap()->getGlobalElement(dof)));

@@ -107,7 +107,7 @@ struct Rock
   std::vector<double> at(Vector const& x, std::vector<int> const& where) const
   {
     Vector local(dofs->overlap());
-    local.doImport(x, *dofs->ghostImport(), Tpetra::INSERT);
+    dofs->shareWithGhosts(x, local);
     auto const view = local.getLocalViewHost(Tpetra::Access::ReadOnly);
     std::vector<double> values;
     for (const int v : where) {
