@@ -95,11 +95,10 @@ std::vector<std::string> Dataset::readTexts() const
   });
 }
 
-Shape Dataset::extend(hsize_t num_rows)
+void Dataset::extend(hsize_t num_rows)
 {
   Shape extended = shape();
   extended[0] += num_rows;
   checked("Extending " + what_, [&] { return H5Dset_extent(handle_.get(), extended.data()); });
-  return extended;
 }
 } // namespace asperity::h5

@@ -46,9 +46,8 @@ constexpr Type typeOf()
 
 using Shape = std::vector<hsize_t>; // {} is a single value
 
-// The part of a dataset, or of each appended row, that belongs to one rank: the `count` indices
-// from `first` on, of the first dimension of the dataset or of the row. If rows are single numbers,
-// the part is {0, 1} or empty.
+// A part of a dataset, or of each appended row: the `count` indices from `first` on, of the first
+// dimension of the dataset or of the row. If rows are single numbers, the part is {0, 1} or empty.
 struct Part
 {
   hsize_t first = 0;
@@ -87,29 +86,28 @@ public:
   }
   std::vector<std::string> readTexts() const; // of variable or fixed length
 
-  // Reads a part of the first dimension, independently of other ranks; values: (part.count, rest of
-  // the shape).
-  template <class Number>
-  void readAlone(Number* values, Part const& part) const
-  {
-    readSlab(typeOf<Number>(), values, part, false);
-  }
-
-  // All ranks read or write at once, each its own part; values: (part.count, rest), or (num_rows,
-  // part.count, rest) of rows that are appended to an extendable dataset. The numbers given to
-  // writePart must have the dataset's own type. A part must lie within the dataset; otherwise the
-  // other ranks never stop waiting. Collective in a shared file.
+  // A part of the first dimension; values: (part.count, rest of the shape). The numbers given to
+  // writePart must have the dataset's own type.
   template <class Number>
   void readPart(Number* values, Part const& part) const
   {
-    readSlab(typeOf<Number>(), values, part, true);
+    readPartOf(typeOf<Number>(), values, part);
   }
   template <class Number>
   void writePart(Number const* values, Part const& part)
   {
     writePartOf(typeOf<Number>(), values, part);
   }
-  void appendPart(double const* values, hsize_t num_rows, Part const& part);
+
+  // Adds rows to an extendable dataset, or only room for them; writeRows fills a part of each of
+  // the last num_rows rows: values (num_rows, part.count, rest).
+  void extend(hsize_t num_rows);
+  void writeRows(double const* values, hsize_t num_rows, Part const& part);
+  void appendPart(double const* values, hsize_t num_rows, Part const& part)
+  {
+    extend(num_rows);
+    writeRows(values, num_rows, part);
+  }
 
 private:
   friend class Group;
@@ -120,8 +118,7 @@ private:
   std::size_t numValues() const;
   void writeAll(Type type, void const* values);
   void readAll(Type type, void* values) const;
-  Shape extend(hsize_t num_rows);
-  void readSlab(Type type, void* values, Part const& part, bool together) const;
+  void readPartOf(Type type, void* values, Part const& part) const;
   void writePartOf(Type type, void const* values, Part const& part);
   void writeSlab(Type type, void const* values, Shape const& start, Shape const& count);
 };

@@ -5,31 +5,11 @@
 #include <functional>
 #include <numeric>
 
-// Parts of datasets, which several ranks write and read together.
+// Parts of datasets.
 namespace asperity::h5
 {
 namespace
 {
-// Whether the file of the object was opened by several ranks, which work together.
-bool isShared(Handle const& object, std::string const& what)
-{
-  const Handle file =
-    opened("Asking the file of " + what, H5Fclose, [&] { return H5Iget_file_id(object.get()); });
-  const Handle access = opened("Asking the access to " + what, H5Pclose,
-                               [&] { return H5Fget_access_plist(file.get()); });
-  return H5Pget_driver(access.get()) == H5FD_MPIO;
-}
-
-Handle transferOf(Handle const& dataset, bool together, std::string const& what)
-{
-  Handle transfer = makeProperties(H5P_DATASET_XFER, what);
-  if (together && isShared(dataset, what)) {
-    checked("Sharing " + what,
-            [&] { return H5Pset_dxpl_mpio(transfer.get(), H5FD_MPIO_COLLECTIVE); });
-  }
-  return transfer;
-}
-
 struct Slab
 {
   Shape start, count;
@@ -70,14 +50,13 @@ void Dataset::writeSlab(Type type, void const* values, Shape const& start, Shape
 {
   const Handle file_space = space();
   const Handle memory_space = select(file_space, {start, count}, what_);
-  const Handle transfer = transferOf(handle_, true, what_);
   checked("Writing " + what_, [&] {
-    return H5Dwrite(handle_.get(), native(type), memory_space.get(), file_space.get(),
-                    transfer.get(), values);
+    return H5Dwrite(handle_.get(), native(type), memory_space.get(), file_space.get(), H5P_DEFAULT,
+                    values);
   });
 }
 
-void Dataset::readSlab(Type type, void* values, Part const& part, bool together) const
+void Dataset::readPartOf(Type type, void* values, Part const& part) const
 {
   const Handle file_space = space();
   const Shape all = shapeOf(file_space, what_);
@@ -85,10 +64,9 @@ void Dataset::readSlab(Type type, void* values, Part const& part, bool together)
     return; // there is nothing to read, and HDF5 1.10 would fail
   }
   const Handle memory_space = select(file_space, slabOf(all, 0, part), what_);
-  const Handle transfer = transferOf(handle_, together, what_);
   checked("Reading " + what_, [&] {
-    return H5Dread(handle_.get(), native(type), memory_space.get(), file_space.get(),
-                   transfer.get(), values);
+    return H5Dread(handle_.get(), native(type), memory_space.get(), file_space.get(), H5P_DEFAULT,
+                   values);
   });
 }
 
@@ -98,9 +76,9 @@ void Dataset::writePartOf(Type type, void const* values, Part const& part)
   writeSlab(type, values, slab.start, slab.count);
 }
 
-void Dataset::appendPart(double const* values, hsize_t num_rows, Part const& part)
+void Dataset::writeRows(double const* values, hsize_t num_rows, Part const& part)
 {
-  Shape rows = extend(num_rows);
+  Shape rows = shape();
   const hsize_t first = rows[0] - num_rows;
   rows[0] = num_rows;
   Slab slab = slabOf(rows, 1, part);
@@ -110,7 +88,6 @@ void Dataset::appendPart(double const* values, hsize_t num_rows, Part const& par
   const auto write = [&](Type type, void const* converted) {
     writeSlab(type, converted, slab.start, slab.count);
   };
-  // HDF5 writes collectively only what it need not convert.
   if (type() == Type::int64) {
     write(Type::int64, std::vector<std::int64_t>(values, values + size).data());
   } else if (type() == Type::float32) {

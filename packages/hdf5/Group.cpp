@@ -208,7 +208,7 @@ void Group::link(std::string const& path, std::string const& file)
 }
 
 Dataset Group::createExtendable(std::string const& path, Type type, Shape const& row_shape,
-                                hsize_t rows_per_chunk, bool shared)
+                                hsize_t rows_per_chunk)
 {
   const int compression_level = 4;
   const std::string what = describe(path);
@@ -217,10 +217,6 @@ Dataset Group::createExtendable(std::string const& path, Type type, Shape const&
   checked("Chunking " + what, [&] {
     return H5Pset_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
   });
-  if (shared) {
-    checked("Allocating " + what,
-            [&] { return H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY); });
-  }
   checked("Shuffling " + what, [&] { return H5Pset_shuffle(properties.get()); });
   checked("Compressing " + what,
           [&] { return H5Pset_deflate(properties.get(), compression_level); });

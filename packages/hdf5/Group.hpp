@@ -54,10 +54,9 @@ public:
                       TextLength length = TextLength::variable);
 
   // Rows of shape `row_shape` can be appended. The dataset is compressed (shuffle, deflate) in
-  // chunks of rows_per_chunk rows, or of parts of rows if a chunk would exceed 1 MiB. `shared`:
-  // several ranks will append together, for which HDF5 1.10 needs chunks that are allocated early.
+  // chunks of rows_per_chunk rows, or of parts of rows if a chunk would exceed 1 MiB.
   Dataset createExtendable(std::string const& path, Type type, Shape const& row_shape,
-                           hsize_t rows_per_chunk, bool shared = false);
+                           hsize_t rows_per_chunk);
 
   // The rows of the parts, one part after the other. Where a part is missing, nan or -1 is read.
   Dataset createVirtual(std::string const& path, Type type, Shape const& row_shape,

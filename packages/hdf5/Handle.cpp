@@ -54,10 +54,6 @@ Handle::~Handle()
   if (id_ < 0) {
     return;
   }
-  if (only_on_demand_) {
-    noteUnclosed();
-    return;
-  }
   const Silence silence;
   if (close_(id_) < 0) {
     noteUnclosed();

@@ -48,9 +48,6 @@ public:
   ~Handle();
 
   hid_t get() const { return id_; }
-  // After this call the destructor does not close the object, only close() does: where closing is
-  // collective, a rank that has failed would wait for the others.
-  void closeOnlyOnDemand() { only_on_demand_ = true; }
   void close(std::string const& what); // Error if that fails, for example on a full disk
 
 private:
@@ -58,11 +55,9 @@ private:
   {
     std::swap(id_, other.id_);
     std::swap(close_, other.close_);
-    std::swap(only_on_demand_, other.only_on_demand_);
   }
 
   hid_t id_ = H5I_INVALID_HID;
   Close close_ = nullptr;
-  bool only_on_demand_ = false;
 };
 } // namespace asperity::h5

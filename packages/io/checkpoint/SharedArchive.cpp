@@ -230,7 +230,7 @@ Block readBlock(h5::File const& file, Contents::Entry const& entry, NodeOrder co
   }
   block.value = valueOf(entry.kind, part.count);
   withNumbers(block.value, [&](auto* numbers, std::size_t size) {
-    dataset.readAlone(numbers, part);
+    dataset.readPart(numbers, part);
     if (order != nullptr || is_root) {
       block.checksum = checksumOf(numbers, size, part.first);
     }

@@ -3,9 +3,6 @@
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "hdf5/File.hpp"
-
-#include <fstream>
 
 namespace asperity::io
 {
@@ -31,9 +28,6 @@ RunRecord::RunRecord(std::filesystem::path const& directory, bool goes_on, Commu
     , log_(directory / "run.log", goes_on, comm)
     , journal_(directory / "run.jsonl", goes_on, comm)
 {
-  h5::whenSharingFails([log = directory / "run.log"](std::string const& message) {
-    std::ofstream(log, std::ios::app) << "The run has ended: " << message << '\n';
-  });
 }
 
 double RunRecord::wallTime() const { return earlier_wall_time_ + secondsSinceStart(); }

@@ -1,29 +1,29 @@
 #include "io/series/GeometryFile.hpp"
 
 #include "base/parallel/Agreement.hpp"
-#include "base/parallel/Messages.hpp"
 #include "hdf5/File.hpp"
 #include "io/files/DurableFile.hpp"
+#include "io/parallel/BlocksInOrder.hpp"
 #include "io/parallel/ElementBlocks.hpp"
 #include "io/series/SeriesLayout.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 
 namespace asperity::io::detail
 {
 namespace
 {
-// A dataset of which every rank has a part of the first dimension.
+using Integers = std::vector<long long>;
+
+// A dataset of which every rank has a part of the first dimension, one rank after the other.
 struct Piece
 {
   std::string name, unit, description;
   h5::Shape shape;
-  std::variant<std::vector<double>, std::vector<std::int64_t>> values; // of the part
-  h5::Part part;
+  std::variant<std::vector<double>, Integers> values; // of the part
 };
-
-using Integers = std::vector<std::int64_t>;
 
 template <class Number>
 Integers integers(std::vector<Number> const& values)
@@ -62,28 +62,24 @@ std::vector<Piece> nodePieces(OutputDomain const& domain, NodeBlocks const& bloc
   char const* units[] = {"m", "m", "m^2", "m^3"};
   const auto nodes = static_cast<hsize_t>(domain.num_global_nodes);
   const auto dimension = static_cast<hsize_t>(domain.dimension);
-  const h5::Part part{static_cast<hsize_t>(blocks.first()), static_cast<hsize_t>(blocks.count())};
   std::vector<Piece> pieces{{"coordinates",
                              "m",
                              "Coordinates of the nodes.",
                              {nodes, dimension},
-                             blocks(domain.coordinates, 1, dimension),
-                             part},
+                             blocks(domain.coordinates, 1, dimension)},
                             {"weights",
                              units[domain.nodes_per_element - 1],
                              "Lumped length, area or volume of each node.",
                              {nodes},
-                             blocks(domain.weights, 1, 1),
-                             part},
+                             blocks(domain.weights, 1, 1)},
                             {"vertex_ids",
                              "-",
                              "Numbers of the nodes in the mesh.",
                              {nodes},
-                             integers(blocks(domain.vertex_ids, 1, 1)),
-                             part}};
+                             integers(blocks(domain.vertex_ids, 1, 1))}};
   if (domain.isCurve()) {
     pieces.push_back(
-      {"positions", "m", positionMeaning(domain), {nodes}, blocks(domain.positions, 1, 1), part});
+      {"positions", "m", positionMeaning(domain), {nodes}, blocks(domain.positions, 1, 1)});
   }
   return pieces;
 }
@@ -99,8 +95,7 @@ Piece elementPiece(std::string const& name, std::string const& description,
           "-",
           description,
           {static_cast<hsize_t>(total), static_cast<hsize_t>(corners)},
-          Integers(nodes.begin(), nodes.begin() + count * corners),
-          {static_cast<hsize_t>(first), static_cast<hsize_t>(count)}};
+          Integers(nodes.begin(), nodes.begin() + count * corners)};
 }
 
 // Of a surface that is made of several boundaries.
@@ -111,12 +106,11 @@ Piece boundaryPiece(OutputDomain const& domain, ElementBlocks const& elements)
           "-",
           "The boundary of each element, as a row of boundary_names.",
           {static_cast<hsize_t>(elements.total())},
-          integers(elements(own, 1, 1)),
-          {static_cast<hsize_t>(elements.first()), static_cast<hsize_t>(elements.count())}};
+          integers(elements(own, 1, 1))};
 }
 
-void create(std::filesystem::path const& path, std::vector<Piece> const& pieces,
-            OutputDomain const& domain)
+h5::File create(std::filesystem::path const& path, std::vector<Piece> const& pieces,
+                OutputDomain const& domain)
 {
   makeFolderOf(path);
   h5::File file = h5::File::create(path);
@@ -127,14 +121,28 @@ void create(std::filesystem::path const& path, std::vector<Piece> const& pieces,
              piece.unit, piece.description);
   }
   writeParts(file, domain);
-  file.close();
+  return file;
 }
 
-void fill(h5::File& file, Piece const& piece)
+// Rank 0 writes the parts of all ranks. Collective.
+void fill(std::optional<h5::File>& file, Piece const& piece, Communicator const& comm)
 {
-  auto dataset = file.openDataset("geometry/" + piece.name);
-  std::visit([&](auto const& values) { dataset.writePart(values.data(), piece.part); },
-             piece.values);
+  hsize_t row_size = 1, first = 0;
+  for (std::size_t d = 1; d < piece.shape.size(); ++d) {
+    row_size *= piece.shape[d];
+  }
+  std::visit(
+    [&](auto const& mine) {
+      using Number = typename std::decay_t<decltype(mine)>::value_type;
+      visitInOrder<Number>(mine, comm, [&](std::vector<Number> const& values) {
+        const hsize_t count = values.size() / row_size;
+        if (count > 0) {
+          file->openDataset("geometry/" + piece.name).writePart(values.data(), {first, count});
+        }
+        first += count;
+      });
+    },
+    piece.values);
 }
 } // namespace
 
@@ -160,16 +168,16 @@ GeometryFile writeGeometry(std::filesystem::path const& directory, std::string c
     pieces.push_back(boundaryPiece(domain, elements));
   }
   const auto path = directory / result.name;
-  onRoot(comm, [&] { create(temporaryName(path), pieces, domain); });
-  std::optional<h5::File> file;
-  onEveryRank(comm,
-              [&] { file = h5::File::openShared(temporaryName(path), rawCommunicator(comm)); });
+  std::optional<h5::File> file; // of rank 0
+  onRoot(comm, [&] { file = create(temporaryName(path), pieces, domain); });
   for (auto const& piece : pieces) {
-    fill(*file, piece);
+    fill(file, piece, comm);
   }
-  file->close();
-  onEveryRank(comm, [&] { synchronise(temporaryName(path)); });
-  onRoot(comm, [&] { replaceDurably(path); });
+  onRoot(comm, [&] {
+    file->close();
+    synchronise(temporaryName(path));
+    replaceDurably(path);
+  });
   return result;
 }
 } // namespace asperity::io::detail

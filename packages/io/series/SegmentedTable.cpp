@@ -3,7 +3,6 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
-#include "base/parallel/Messages.hpp"
 #include "io/files/DurableFile.hpp"
 #include "io/parallel/BlocksInOrder.hpp"
 
@@ -108,9 +107,8 @@ void SegmentedTable::openSegment() const
   for (auto const& column : options_.columns) {
     const hsize_t rows_per_chunk =
       column.row_shape.empty() ? numbers_per_chunk : options_.rows_per_write;
-    describeColumn(segment.createExtendable(column.path, column.type, column.row_shape,
-                                            rows_per_chunk, comm_->getSize() > 1),
-                   column);
+    describeColumn(
+      segment.createExtendable(column.path, column.type, column.row_shape, rows_per_chunk), column);
   }
   segment.close();
 }
@@ -120,40 +118,56 @@ void SegmentedTable::writeRows()
   if (rows_waiting_ == 0) {
     return;
   }
-  if (rows_in_open_segment_ == static_cast<std::int64_t>(rows_waiting_)) {
-    onRoot(*comm_, [&] { openSegment(); }); // the first rows of the segment
-  }
-  const auto path = segmentPath(rows_of_segment_.size());
-  std::optional<h5::File> segment;
-  onEveryRank(*comm_, [&] { segment = h5::File::openShared(path, rawCommunicator(*comm_)); });
+  std::optional<h5::File> segment; // of rank 0
+  onRoot(*comm_, [&] {
+    if (rows_in_open_segment_ == static_cast<std::int64_t>(rows_waiting_)) {
+      openSegment(); // the first rows of the segment
+    }
+    segment = h5::File::openForWriting(segmentPath(rows_of_segment_.size()));
+  });
   for (std::size_t i = 0; i < options_.columns.size(); ++i) {
-    writeColumn(*segment, i);
+    writeColumn(segment, i);
     waiting_[i].clear();
   }
-  segment->close();
+  onRoot(*comm_, [&] { segment->close(); });
   rows_waiting_ = 0;
 }
 
+// Rank 0 writes the blocks of all ranks, one after the other.
 template <class Blocks>
-void SegmentedTable::writeBlock(h5::Dataset dataset, std::size_t i, Blocks const& blocks) const
+void SegmentedTable::writeBlocks(std::optional<h5::Dataset>& dataset, std::size_t i,
+                                 Blocks const& blocks) const
 {
   auto const& shape = options_.columns[i].row_shape;
-  const auto block = blocks(waiting_[i], rows_waiting_, shape.size() > 1 ? shape[1] : 1);
-  dataset.appendPart(block.data(), rows_waiting_,
-                     {static_cast<hsize_t>(blocks.first()), static_cast<hsize_t>(blocks.count())});
+  const std::size_t components = shape.size() > 1 ? shape[1] : 1;
+  const std::size_t rows = rows_waiting_;
+  hsize_t first = 0;
+  visitInOrder<double>(blocks(waiting_[i], rows, components), *comm_,
+                       [&](std::vector<double> const& block) {
+                         const hsize_t count = block.size() / (rows * components);
+                         if (count > 0) {
+                           dataset->writeRows(block.data(), rows, {first, count});
+                         }
+                         first += count;
+                       });
 }
 
-void SegmentedTable::writeColumn(h5::File& segment, std::size_t i)
+void SegmentedTable::writeColumn(std::optional<h5::File>& segment, std::size_t i)
 {
   auto const& column = options_.columns[i];
-  auto dataset = segment.openDataset(column.path);
+  std::optional<h5::Dataset> dataset; // of rank 0
+  onRoot(*comm_, [&] {
+    dataset = segment->openDataset(column.path);
+    dataset->extend(rows_waiting_);
+    if (column.of == Column::Of::run) {
+      const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
+      dataset->writeRows(waiting_[i].data(), rows_waiting_, {0, all});
+    }
+  });
   if (column.of == Column::Of::nodes) {
-    writeBlock(std::move(dataset), i, *blocks_);
+    writeBlocks(dataset, i, *blocks_);
   } else if (column.of == Column::Of::elements) {
-    writeBlock(std::move(dataset), i, *elements_);
-  } else {
-    const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
-    dataset.appendPart(waiting_[i].data(), rows_waiting_, {0, comm_->getRank() == 0 ? all : 0});
+    writeBlocks(dataset, i, *elements_);
   }
 }
 
@@ -162,7 +176,7 @@ void SegmentedTable::closeSegment(int index)
   ASPERITY_ASSERT(index == static_cast<int>(rows_of_segment_.size()));
   writeRows();
   if (rows_in_open_segment_ > 0) {
-    onEveryRank(*comm_, [&] { detail::synchronise(segmentPath(rows_of_segment_.size())); });
+    onRoot(*comm_, [&] { detail::synchronise(segmentPath(rows_of_segment_.size())); });
   }
   rows_of_segment_.push_back(rows_in_open_segment_);
   rows_in_open_segment_ = 0;

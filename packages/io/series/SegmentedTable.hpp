@@ -24,8 +24,9 @@ void describe(h5::Dataset dataset, std::string const& unit, std::string const& d
 
 // Rows of a few columns in closed segments DIR/segments/<name>_<nnnnnn>.h5, tied together by the
 // virtual datasets of the index DIR/<name>.h5. A closed segment stays complete whatever happens; an
-// open one may be lost. Every rank holds and writes its part of the columns of nodes and elements,
-// rank 0 all other columns. No file is open between two calls. All functions are collective.
+// open one may be lost. Every rank holds its part of the columns of nodes and elements, rank 0 all
+// other columns; rank 0 writes, one rank's block after the other. No file is open between two
+// calls. What rank 0 cannot write is an error on every rank. All functions are collective.
 class SegmentedTable
 {
 public:
@@ -90,9 +91,9 @@ public:
 private:
   void openSegment() const;
   void writeRows();
-  void writeColumn(h5::File& segment, std::size_t i);
+  void writeColumn(std::optional<h5::File>& segment, std::size_t i);
   template <class Blocks>
-  void writeBlock(h5::Dataset dataset, std::size_t i, Blocks const& blocks) const;
+  void writeBlocks(std::optional<h5::Dataset>& dataset, std::size_t i, Blocks const& blocks) const;
   void writeGeometry();
   void writeIndex() const;
   h5::File createIndex() const;

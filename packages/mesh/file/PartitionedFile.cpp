@@ -115,7 +115,7 @@ Mesh<Dim> readPart(std::string const& file_name, RCP<const Communicator> const& 
                      whereIs(file_name) << " cannot be read by rank " << rank
                                         << ". Is it in a folder that all nodes share?");
   });
-  detail::SlabReader reader(file_name, summary, rawCommunicator(*communicator));
+  detail::SlabReader reader(file_name, summary);
   auto mesh = readMeshOf<Dim>(reader, summary, rank);
   onEveryRank(*communicator, [&] {
     ASPERITY_REQUIRE(reader.problem().empty(), reader.problem());
@@ -133,7 +133,7 @@ GlobalMesh<Dim> readParts(std::string const& file_name)
 {
   const auto summary = partitionSummary(file_name);
   requireDimension(file_name, summary, Dim);
-  detail::SlabReader reader(file_name, summary, MPI_COMM_SELF);
+  detail::SlabReader reader(file_name, summary);
   detail::Assembly<Dim> assembly(summary);
   for (int part = 0; part < summary.num_parts; ++part) {
     const auto numbered = readNumbered<Dim>(reader, summary, part);

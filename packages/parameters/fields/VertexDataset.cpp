@@ -158,7 +158,7 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
     for (auto next = order.begin(); next != order.end();) {
       const auto first = static_cast<hsize_t>(global_ids[*next]);
       std::vector<double> block(std::min(block_size, static_cast<hsize_t>(size_) - first));
-      dataset.readAlone(block.data(), {first, block.size()});
+      dataset.readPart(block.data(), {first, block.size()});
       const auto end = static_cast<long long>(first + block.size());
       for (; next != order.end() && global_ids[*next] < end; ++next) {
         values[*next] = block[static_cast<std::size_t>(global_ids[*next]) - first];
@@ -189,7 +189,7 @@ std::uint64_t VertexDataset::checksum() const
     const auto size = static_cast<hsize_t>(size_);
     for (hsize_t first = 0; first < size; first += block_size) {
       std::vector<double> block(std::min(block_size, size - first));
-      dataset.readAlone(block.data(), {first, block.size()});
+      dataset.readPart(block.data(), {first, block.size()});
       checksum.add(block);
     }
   });

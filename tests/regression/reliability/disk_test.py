@@ -74,19 +74,18 @@ class FullDisk(unittest.TestCase):
     def test_of_one_of_two_ranks(self):
         run = runs.SHORT_RUN
         whole = asperity_run.run_to_end("whole_ranks", *run, ranks=2)
-        for rank in (0, 1):
-            total = faults.count_operations(runs.fresh("ranks"), *run, ranks=2, rank=rank)
-            # Rank 0 alone writes tables and checkpoints, both ranks write histories. 30 was chosen
-            # after rank 1 was seen to write 66 times.
-            self.assertGreater(total, (200, 30)[rank])
-            chosen = random.Random(rank).sample(range(1, total + 1), faults.trials(2, 60))
-            for number in sorted(chosen):
-                with self.subTest(number=number, rank=rank):
-                    folder = runs.fresh("ranks")
-                    result = faults.run(folder, "full", number, *run, ranks=2, rank=rank)
-                    self.assert_ends_well(result, folder)
-                    assert_goes_on(self, whole, folder, *run, ranks=2)
-            print(f"full disk of rank {rank} of 2 at {sorted(chosen)} of {total} writes")
+        total = faults.count_operations(runs.fresh("ranks"), *run, ranks=2, rank=0)
+        self.assertGreater(total, 200)
+        # Rank 0 writes what the others have.
+        self.assertLess(faults.count_operations(runs.fresh("ranks"), *run, ranks=2, rank=1), 5)
+        chosen = random.Random(0).sample(range(1, total + 1), faults.trials(4, 60))
+        for number in sorted(chosen):
+            with self.subTest(number=number):
+                folder = runs.fresh("ranks")
+                result = faults.run(folder, "full", number, *run, ranks=2, rank=0)
+                self.assert_ends_well(result, folder)
+                assert_goes_on(self, whole, folder, *run, ranks=2)
+        print(f"full disk of rank 0 of 2 at {sorted(chosen)} of {total} writes")
 
     def test_mesh_tool(self):
         folder = runs.fresh("mesh")
@@ -155,19 +154,6 @@ class VanishedDirectory(unittest.TestCase):
     def test_is_named_on_two_ranks(self):
         self.check(2, [*runs.ENDLESS, *runs.settings("Mesh/Wedge/Cell Size=0.02",
                                                      "TNNMG/Linear Correction=MueLu")])
-
-
-class OrderOfLibraries(unittest.TestCase):
-    def test_mpi_before_hdf5_is_refused_by_ranks_that_share_a_file(self):
-        libraries = subprocess.run(["ldd", asperity_run.PROGRAM], capture_output=True, text=True,
-                                   check=True).stdout
-        mpi = re.search(r"=> (\S*/libmpi\.so\S*)", libraries).group(1)
-        words = asperity_run.command(*runs.SHORT_RUN, "--output", runs.fresh("order"), ranks=2)
-        result = subprocess.run(words, capture_output=True, text=True, check=False,
-                                env={**os.environ, "LD_PRELOAD": mpi},
-                                timeout=time_limits.seconds(60))
-        self.assertNotEqual(result.returncode, 0)
-        self.assertIn("linked with MPI before Asperity's library hdf5", result.stderr)
 
 
 if __name__ == "__main__":

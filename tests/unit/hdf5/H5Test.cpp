@@ -77,6 +77,34 @@ TEST_F(H5, RowsAreAppended)
   EXPECT_EQ(dataset.type(), h5::Type::float32);
 }
 
+TEST_F(H5, RowsAreFilledPartByPart)
+{
+  auto file = h5::File::create(path());
+  auto dataset = file.createExtendable("v", h5::Type::float64, {3}, 4);
+  dataset.appendPart(std::vector<double>{1, 2, 3}.data(), 1, {0, 3});
+  dataset.extend(2);
+  dataset.writeRows(std::vector<double>{4, 7}.data(), 2, {0, 1});
+  dataset.writeRows(std::vector<double>{5, 6, 8, 9}.data(), 2, {1, 2});
+  EXPECT_EQ(dataset.read<double>(), (std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
+}
+
+TEST_F(H5, AFileIsOpenedForWritingAgain)
+{
+  {
+    auto file = h5::File::create(path());
+    file.create("rows", h5::Type::int64, {3, 2});
+    file.close();
+  }
+  const std::vector<std::int64_t> rows{1, 2, 3, 4};
+  auto file = h5::File::openForWriting(path());
+  file.openDataset("rows").writePart(rows.data(), {1, 2});
+  file.close();
+  const auto reading = h5::File::open(path());
+  std::vector<std::int64_t> back(4);
+  reading.openDataset("rows").readPart(back.data(), {1, 2});
+  EXPECT_EQ(back, rows);
+}
+
 TEST_F(H5, VirtualDatasetJoinsFilesAndSkipsEmptyParts)
 {
   for (int part = 0; part < 2; ++part) {
@@ -162,9 +190,9 @@ TEST_F(H5, NumbersOfAllTypesReadBack)
   EXPECT_EQ(file.openDataset("id").read<long long>()[0], id);
   EXPECT_EQ(dataset.read<double>(), (std::vector<double>{-1, 2, 3, 4}));
   std::vector<int> row(2);
-  dataset.readAlone(row.data(), {1, 1});
+  dataset.readPart(row.data(), {1, 1});
   EXPECT_EQ(row, (std::vector<int>{3, 4}));
-  EXPECT_THROW(dataset.readAlone(row.data(), {1, 2}), h5::Error);
+  EXPECT_THROW(dataset.readPart(row.data(), {1, 2}), h5::Error);
 }
 
 TEST_F(H5, AttributesOfAnotherKindAreRefused)

@@ -302,7 +302,7 @@ TEST_F(Checkpoint, ASizeThatDoesNotFitTheNodesIsRefused)
   const auto sets = nodesOfRank(world()->getSize());
   io::writeCheckpoint(file, atNodes(sets), deck(), *world(), sets);
   test::onRankZero([&] {
-    auto h5 = h5::File::openShared(file, MPI_COMM_SELF);
+    auto h5 = h5::File::openForWriting(file);
     auto kinds = h5.openDataset("kinds").read<std::int64_t>();
     const auto entries = h5.openDataset("entries").readTexts();
     const auto time = std::find(entries.begin(), entries.end(), "time") - entries.begin();

@@ -15,7 +15,7 @@ bool readEntries(h5::File const& file, std::string const& path, h5::Part const& 
     if (shape.size() != 1 || part.first + part.count > shape[0]) {
       return false;
     }
-    dataset.readAlone(values, part);
+    dataset.readPart(values, part);
     return true;
   } catch (h5::Error const&) {
     return false;
@@ -23,13 +23,12 @@ bool readEntries(h5::File const& file, std::string const& path, h5::Part const& 
 }
 } // namespace
 
-SlabReader::SlabReader(std::string const& file_name, PartitionSummary const& summary,
-                       MPI_Comm communicator)
+SlabReader::SlabReader(std::string const& file_name, PartitionSummary const& summary)
     : where_("Mesh file '" + file_name + "'")
     , seed_(seedOf(summary))
 {
   try {
-    file_ = h5::File::openSharedForReading(file_name, communicator);
+    file_ = h5::File::open(file_name);
   } catch (h5::Error const&) {
     note("it cannot be opened by this rank");
   }
@@ -73,7 +72,6 @@ std::optional<h5::Dataset> SlabReader::openValues(std::string const& path, hsize
   }
 }
 
-// Reading is collective, so that a rank without rows calls it, too.
 std::uint64_t SlabReader::readRows(std::string const& array, int part, hsize_t columns,
                                    Read const& read)
 {

@@ -8,15 +8,14 @@
 
 namespace asperity::mesh::detail
 {
-// Reads the arrays of a partitioned file, part by part, and compares their checksums. Each rank of
-// the communicator may read another part; all ranks call the same functions for the same arrays. A
-// rank that finds a problem continues, since the others would wait for it forever; problem() then
-// describes the first problem, and the rows of that rank are not valid.
+// Reads the arrays of a partitioned file, part by part, and compares their checksums. A rank that
+// finds a problem continues, since other ranks would wait for it forever; problem() then describes
+// the first problem, and the rows are not valid.
 class SlabReader
 {
 public:
-  // The file has to exist. Use MPI_COMM_SELF if one process reads alone.
-  SlabReader(std::string const& file_name, PartitionSummary const& summary, MPI_Comm communicator);
+  // The file has to exist.
+  SlabReader(std::string const& file_name, PartitionSummary const& summary);
 
   // "" if nothing is wrong.
   std::string const& problem() const { return problem_; }
