@@ -4,8 +4,8 @@
 #include "dynamics/coupling/FrictionProblem.hpp"
 #include "fem/FaultSurface.hpp"
 #include "tnnmg/Tnnmg.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 #include "tnnmg/direct/EliminationOrder.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -2,7 +2,7 @@
 
 #include "dynamics/Body.hpp"
 #include "fem/FaultSurface.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <vector>
 

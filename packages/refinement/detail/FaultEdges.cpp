@@ -19,17 +19,38 @@ FaultEdges<Dim>::FaultEdges(Mesh<Dim> const& part, std::string const& where)
     , has_pair_(part.vertices.size(), false)
     , is_below_tip_(part.vertices.size(), false)
 {
-  for (auto const& [plus, minus, is_tip] : part.splits) {
+  markPairs();
+  collectEdges();
+  findRings();
+  decideEdgesOfTips();
+  sortPairs();
+}
+
+template <int Dim>
+void FaultEdges<Dim>::markPairs()
+{
+  for (auto const& [plus, minus, is_tip] : part_.splits) {
     has_pair_[plus] = has_pair_[minus] = true;
     is_below_tip_[minus] = is_below_tip_[minus] || is_tip;
   }
-  for (auto const& fault : part.faults) {
-    for (auto const& facet : part.boundaries.at(fault)) {
+}
+
+template <int Dim>
+void FaultEdges<Dim>::collectEdges()
+{
+  for (auto const& fault : part_.faults) {
+    for (auto const& facet : part_.boundaries.at(fault)) {
       addFacet(fault, facet);
     }
   }
-  findRings();
-  std::set<Edge> opened; // where another fault cuts
+}
+
+// Each edge between tips is cut by its own fault or by none. An edge that another fault has cut
+// already is not decided again.
+template <int Dim>
+void FaultEdges<Dim>::decideEdgesOfTips()
+{
+  std::set<Edge> opened; // by another fault
   for (auto const& pair : pairs_) {
     opened.insert(pair.plus);
     opened.insert(pair.minus);
@@ -45,6 +66,11 @@ FaultEdges<Dim>::FaultEdges(Mesh<Dim> const& part, std::string const& where)
       pairs_.push_back({sorted(facet.plus), edge, cuts_.count(edge) == 0});
     }
   }
+}
+
+template <int Dim>
+void FaultEdges<Dim>::sortPairs()
+{
   std::sort(pairs_.begin(), pairs_.end(),
             [](auto const& a, auto const& b) { return a.plus < b.plus; });
   const auto end = std::unique(pairs_.begin(), pairs_.end(),

@@ -76,8 +76,14 @@ private:
   };
   using Star = mesh::detail::Star<Dim>;
 
+  // The steps of the constructor, in this order.
+  void markPairs();
+  void collectEdges();
   void addFacet(std::string const& fault, Facet const& facet);
   void findRings();
+  void decideEdgesOfTips();
+  void sortPairs();
+
   void decide(Edge const& edge, std::vector<TipFacet> const& facets);
   int setBeside(Star const& star, typename Star::Sets const& sets, Facet const& facet,
                 bool plus_side) const;

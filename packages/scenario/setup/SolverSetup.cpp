@@ -1,7 +1,7 @@
 #include "scenario/setup/SolverSetup.hpp"
 
 #include "parameters/Entries.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <limits>
 

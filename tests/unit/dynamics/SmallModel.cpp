@@ -5,7 +5,7 @@
 #include "fem/motions/RigidBodyMotions.hpp"
 #include "fem/stress/CellStress.hpp"
 #include "mesh/parallel/Partition.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <cmath>
 

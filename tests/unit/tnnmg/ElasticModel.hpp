@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <Eigen/Dense>
 #include <Eigen/SparseCore>

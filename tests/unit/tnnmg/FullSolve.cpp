@@ -1,7 +1,7 @@
 #include "FullSolve.hpp"
 
 #include "tnnmg/SparseRateMatrix.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include "FaultState.hpp"
 #include "portability/Renamed.hpp"

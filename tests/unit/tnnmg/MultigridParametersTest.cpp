@@ -1,5 +1,5 @@
 #include "ElasticModel.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

@@ -3,9 +3,9 @@
 #include "multigrid/CoarsestSolver.hpp"
 #include "multigrid/Renumbering.hpp"
 #include "portability/Renamed.hpp"
+#include "tnnmg/correction/MultigridSymmetry.hpp"
+#include "tnnmg/correction/OwnPreconditioner.hpp"
 #include "tnnmg/hierarchy/CoarseFault.hpp"
-#include "tnnmg/multigrid/MultigridSymmetry.hpp"
-#include "tnnmg/multigrid/OwnPreconditioner.hpp"
 #include "unit/base/Refusal.hpp"
 
 #include <Eigen/SparseCholesky>

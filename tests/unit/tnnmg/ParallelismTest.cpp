@@ -1,5 +1,5 @@
 #include "FaultState.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <Eigen/SparseCholesky>
 #include <Tpetra_Vector.hpp>

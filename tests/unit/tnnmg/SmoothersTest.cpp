@@ -1,8 +1,8 @@
 #include "ElasticModel.hpp"
 #include "multigrid/Cycle.hpp"
 #include "multigrid/NodeKernels.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Eigen/Dense>
 #include <Tpetra_CrsMatrix.hpp>

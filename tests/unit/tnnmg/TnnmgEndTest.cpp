@@ -1,7 +1,7 @@
 // When the iteration of TNNMG ends, and when it counts as converged.
 #include "FullSolve.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>

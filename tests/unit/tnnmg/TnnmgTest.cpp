@@ -3,9 +3,9 @@
 #include "FullSolve.hpp"
 #include "multigrid/Smoother.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 #include "tnnmg/direct/DenseCorrection.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>

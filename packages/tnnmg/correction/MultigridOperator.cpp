@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/MultigridOperator.hpp"
+#include "tnnmg/correction/MultigridOperator.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>

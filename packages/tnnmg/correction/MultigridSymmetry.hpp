@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/multigrid/MultigridOperator.hpp"
+#include "tnnmg/correction/MultigridOperator.hpp"
 
 namespace asperity::tnnmg::detail
 {

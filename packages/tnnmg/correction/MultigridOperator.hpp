@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tnnmg/multigrid/MultigridNodes.hpp"
+#include "tnnmg/correction/MultigridNodes.hpp"
 
 #include <Tpetra_Operator.hpp>
 

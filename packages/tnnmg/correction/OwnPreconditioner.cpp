@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/OwnPreconditioner.hpp"
+#include "tnnmg/correction/OwnPreconditioner.hpp"
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"

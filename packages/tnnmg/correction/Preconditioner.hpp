@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tnnmg/multigrid/CoarseHessians.hpp"
-#include "tnnmg/multigrid/MultigridOperator.hpp"
+#include "tnnmg/correction/CoarseHessians.hpp"
+#include "tnnmg/correction/MultigridOperator.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

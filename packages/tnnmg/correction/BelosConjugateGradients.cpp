@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/BelosConjugateGradients.hpp"
+#include "tnnmg/correction/BelosConjugateGradients.hpp"
 
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>

@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/MultigridParameters.hpp"
+#include "tnnmg/correction/MultigridParameters.hpp"
 
 #include "parameters/Entries.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"

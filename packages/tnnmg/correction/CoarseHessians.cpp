@@ -1,7 +1,7 @@
-#include "tnnmg/multigrid/CoarseHessians.hpp"
+#include "tnnmg/correction/CoarseHessians.hpp"
 
 #include "base/parallel/Reductions.hpp"
-#include "tnnmg/multigrid/MultigridNodeBlock.hpp"
+#include "tnnmg/correction/MultigridNodeBlock.hpp"
 
 #include <array>
 #include <utility>

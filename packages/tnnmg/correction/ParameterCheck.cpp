@@ -1,8 +1,8 @@
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include "base/Errors.hpp"
 #include "tnnmg/hierarchy/TrilinosMessages.hpp"
-#include "tnnmg/multigrid/BelosConjugateGradients.hpp"
+#include "tnnmg/correction/BelosConjugateGradients.hpp"
 
 #include <MueLu_VerboseObject.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>

@@ -2,7 +2,7 @@
 
 #include "multigrid/FloatConjugateGradients.hpp"
 #include "tnnmg/hierarchy/MultigridHierarchy.hpp"
-#include "tnnmg/multigrid/Preconditioner.hpp"
+#include "tnnmg/correction/Preconditioner.hpp"
 
 #include <memory>
 #include <string>

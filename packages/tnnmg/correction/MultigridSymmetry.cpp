@@ -1,4 +1,4 @@
-#include "tnnmg/multigrid/MultigridSymmetry.hpp"
+#include "tnnmg/correction/MultigridSymmetry.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Hashes.hpp"

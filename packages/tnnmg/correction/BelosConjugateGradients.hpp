@@ -1,7 +1,7 @@
 #pragma once
 
 #include "multigrid/FloatConjugateGradients.hpp"
-#include "tnnmg/multigrid/MultigridOperator.hpp"
+#include "tnnmg/correction/MultigridOperator.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

@@ -1,8 +1,8 @@
-#include "tnnmg/multigrid/MueLuPreconditioner.hpp"
+#include "tnnmg/correction/MueLuPreconditioner.hpp"
 
 #include "base/Errors.hpp"
 #include "portability/Renamed.hpp"
-#include "tnnmg/multigrid/MultigridNodeBlock.hpp"
+#include "tnnmg/correction/MultigridNodeBlock.hpp"
 
 #include <Tpetra_Map.hpp>
 #include <Tpetra_MultiVector.hpp>

@@ -1,8 +1,8 @@
-#include "tnnmg/multigrid/MultigridNodes.hpp"
+#include "tnnmg/correction/MultigridNodes.hpp"
 
 #include "base/Errors.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
-#include "tnnmg/multigrid/MultigridNodeBlock.hpp"
+#include "tnnmg/correction/MultigridNodeBlock.hpp"
 
 #include <Tpetra_MultiVector.hpp>
 

@@ -1,10 +1,10 @@
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
-#include "tnnmg/multigrid/BelosConjugateGradients.hpp"
-#include "tnnmg/multigrid/MueLuPreconditioner.hpp"
-#include "tnnmg/multigrid/MultigridParameters.hpp"
-#include "tnnmg/multigrid/MultigridSymmetry.hpp"
-#include "tnnmg/multigrid/OwnPreconditioner.hpp"
+#include "tnnmg/correction/BelosConjugateGradients.hpp"
+#include "tnnmg/correction/MueLuPreconditioner.hpp"
+#include "tnnmg/correction/MultigridParameters.hpp"
+#include "tnnmg/correction/MultigridSymmetry.hpp"
+#include "tnnmg/correction/OwnPreconditioner.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Map.hpp>
