@@ -20,13 +20,13 @@ Handle Dataset::fileType() const
                 [&] { return H5Dget_type(handle_.get()); });
 }
 
-Kind Dataset::kind() const { return kindOf(fileType().get(), what_); }
+ValueClass Dataset::valueClass() const { return valueClassOf(fileType().get(), what_); }
 
 Type Dataset::type() const
 {
   const Handle type = fileType();
   const std::size_t size = H5Tget_size(type.get());
-  if (kindOf(type.get(), what_) == Kind::real) {
+  if (valueClassOf(type.get(), what_) == ValueClass::real) {
     return size <= 4 ? Type::float32 : Type::float64;
   }
   if (size <= 4) {
@@ -85,7 +85,7 @@ void Dataset::readAll(Type type, void* values) const
 std::vector<std::string> Dataset::readTexts() const
 {
   const Handle type = fileType();
-  if (kindOf(type.get(), what_) != Kind::text) {
+  if (valueClassOf(type.get(), what_) != ValueClass::text) {
     throw Error("The dataset " + what_ + " does not consist of texts.");
   }
   return h5::readTexts(type, numValues(), what_, [&](void* values) {

@@ -21,7 +21,7 @@ enum class Type
   float64
 };
 
-enum class Kind
+enum class ValueClass
 {
   integer,
   real,
@@ -57,7 +57,7 @@ struct Part
 class Dataset : public Object
 {
 public:
-  Kind kind() const;
+  ValueClass valueClass() const;
   Type type() const; // of numbers; the next larger one if the file's own is not among them
   Shape shape() const;
 

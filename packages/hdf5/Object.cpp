@@ -42,7 +42,7 @@ public:
   }
 
   Handle const& type() const { return type_; }
-  Kind kind() const { return kindOf(type_.get(), what_); }
+  ValueClass valueClass() const { return valueClassOf(type_.get(), what_); }
 
   std::size_t numValues() const
   {
@@ -99,7 +99,8 @@ bool Object::hasAttribute(std::string const& name) const
 std::string Object::textAttribute(std::string const& name) const
 {
   const Attribute attribute(handle_, name, what_);
-  attribute.require(attribute.kind() == Kind::text && attribute.numValues() == 1, "a text");
+  attribute.require(attribute.valueClass() == ValueClass::text && attribute.numValues() == 1,
+                    "a text");
   return readTexts(attribute.type(), 1, describe(name, what_),
                    [&](void* values) { attribute.read(attribute.type().get(), values); })[0];
 }
@@ -107,7 +108,8 @@ std::string Object::textAttribute(std::string const& name) const
 std::int64_t Object::integerAttribute(std::string const& name) const
 {
   const Attribute attribute(handle_, name, what_);
-  attribute.require(attribute.kind() == Kind::integer && attribute.numValues() == 1, "an integer");
+  attribute.require(attribute.valueClass() == ValueClass::integer && attribute.numValues() == 1,
+                    "an integer");
   std::int64_t value = 0;
   attribute.read(H5T_NATIVE_INT64, &value);
   return value;
@@ -116,8 +118,9 @@ std::int64_t Object::integerAttribute(std::string const& name) const
 std::vector<double> Object::numbersAttribute(std::string const& name) const
 {
   const Attribute attribute(handle_, name, what_);
-  const Kind kind = attribute.kind();
-  attribute.require(kind == Kind::integer || kind == Kind::real, "a list of numbers");
+  const ValueClass value_class = attribute.valueClass();
+  attribute.require(value_class == ValueClass::integer || value_class == ValueClass::real,
+                    "a list of numbers");
   std::vector<double> values(attribute.numValues());
   attribute.read(H5T_NATIVE_DOUBLE, values.data());
   return values;

@@ -133,8 +133,9 @@ private:
     auto const shape = dataset.shape();
     const bool has_shape =
       shape.size() == (columns == 0 ? 1U : 2U) && (columns == 0 || shape[1] == columns);
-    const bool is_number = dataset.kind() == h5::Kind::integer ||
-                           (std::is_floating_point_v<Number> && dataset.kind() == h5::Kind::real);
+    const bool is_number =
+      dataset.valueClass() == h5::ValueClass::integer ||
+      (std::is_floating_point_v<Number> && dataset.valueClass() == h5::ValueClass::real);
     ASPERITY_REQUIRE(
       has_shape && is_number && (rows == any_number || shape[0] == rows),
       where_ << ": dataset '" << name << "' needs "

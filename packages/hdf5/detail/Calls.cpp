@@ -29,13 +29,13 @@ Handle makeProperties(hid_t kind, std::string const& what)
   return opened("Making properties for " + what, H5Pclose, [&] { return H5Pcreate(kind); });
 }
 
-Kind kindOf(hid_t type, std::string const& what)
+ValueClass valueClassOf(hid_t type, std::string const& what)
 {
   switch (checked("Asking the type of " + what, [&] { return H5Tget_class(type); })) {
-  case H5T_INTEGER: return Kind::integer;
-  case H5T_FLOAT: return Kind::real;
-  case H5T_STRING: return Kind::text;
-  default: return Kind::other;
+  case H5T_INTEGER: return ValueClass::integer;
+  case H5T_FLOAT: return ValueClass::real;
+  case H5T_STRING: return ValueClass::text;
+  default: return ValueClass::other;
   }
 }
 

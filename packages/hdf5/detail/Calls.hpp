@@ -39,6 +39,6 @@ Handle makeSpace(Shape const& shape, Shape const& largest, std::string const& wh
 Handle makeProperties(hid_t kind, std::string const& what);
 
 // Of a dataset or an attribute.
-Kind kindOf(hid_t type, std::string const& what);
+ValueClass valueClassOf(hid_t type, std::string const& what);
 Shape shapeOf(Handle const& space, std::string const& what);
 } // namespace asperity::h5

@@ -109,8 +109,9 @@ VertexDataset::VertexDataset(std::string const& name, std::string const& path)
   orRefuse(path, name, [&] {
     const h5::Dataset dataset = open();
     const h5::Shape shape = dataset.shape();
-    const h5::Kind kind = dataset.kind();
-    ASPERITY_REQUIRE(shape.size() == 1 && (kind == h5::Kind::real || kind == h5::Kind::integer),
+    const h5::ValueClass value_class = dataset.valueClass();
+    ASPERITY_REQUIRE(shape.size() == 1 && (value_class == h5::ValueClass::real ||
+                                           value_class == h5::ValueClass::integer),
                      path << " = '" << name << "' is not a one-dimensional dataset of numbers.");
     size_ = static_cast<long long>(shape[0]);
   });

@@ -13,6 +13,9 @@ struct Description
 {
   std::vector<std::string> lines;
   std::vector<Warning> warnings;
+
+  void add(std::vector<std::string> const& more);
+  void add(std::vector<Warning> const& more);
 };
 
 void print(Description const& description, std::ostream& stream);

@@ -128,12 +128,11 @@ void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
     }
   }
 }
-} // namespace
 
+// What the run computes: the body, friction, the time scheme, and what is prescribed.
 template <int Dim>
-Description describe(Problem<Dim> const& problem, ParameterList const& deck)
+void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Description& description)
 {
-  Description description{describeEnvironment(*problem.communicator), problem.findings.warnings};
   auto& lines = description.lines;
   std::ostringstream first;
   auto const& bulk = deck.sublist("Bulk");
@@ -165,35 +164,35 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
     }
     lines.push_back("Shear stress in the rock relaxes within " + times + " s.");
   }
-  const auto size = describeSize(problem);
-  lines.insert(lines.end(), size.begin(), size.end());
+}
+} // namespace
+
+template <int Dim>
+Description describe(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  Description description{describeEnvironment(*problem.communicator), problem.findings.warnings};
+  describeModel(problem, deck, description);
+  description.add(describeSize(problem));
   describeWedge(deck, problem.discretisation.upright.down, description);
-  const auto sense = describeSense(problem, deck);
-  lines.insert(lines.end(), sense.begin(), sense.end());
+  description.add(describeSense(problem, deck));
   if (auto const of_shape = warnOfCellShape(problem)) {
     description.warnings.push_back(*of_shape);
   }
-  lines.insert(lines.end(), problem.findings.remarks.begin(), problem.findings.remarks.end());
+  description.add(problem.findings.remarks);
   if (auto const& resolution = problem.scales.resolution) {
-    auto const state_law = friction.get<std::string>("State Evolution");
-    auto const of_fault =
-      describe(*resolution, state_law, deck.sublist("Mesh").get<std::string>("Type"));
-    lines.insert(lines.end(), of_fault.begin(), of_fault.end());
-    auto const warnings = warnOfResolution(*resolution, state_law);
-    description.warnings.insert(description.warnings.end(), warnings.begin(), warnings.end());
+    auto const state_law = deck.sublist("Friction").get<std::string>("State Evolution");
+    description.add(
+      describe(*resolution, state_law, deck.sublist("Mesh").get<std::string>("Type")));
+    description.add(warnOfResolution(*resolution, state_law));
   }
   // With a normal stress in the wrong unit the lengths of friction are wrong, not the body's.
-  auto const of_size = warnOfSize(
+  description.add(warnOfSize(
     bodySize(problem, deck),
-    isDoubtful("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution);
-  description.warnings.insert(description.warnings.end(), of_size.begin(), of_size.end());
+    isDoubtful("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution));
   describeHeldSlip(problem, deck, description);
-  auto const of_drive = warnOfDrive(problem, deck);
-  description.warnings.insert(description.warnings.end(), of_drive.begin(), of_drive.end());
-  auto const of_slip = warnOfPrescribedSlip(problem, deck);
-  description.warnings.insert(description.warnings.end(), of_slip.begin(), of_slip.end());
-  auto const of_scales = describeScales(problem.scales);
-  lines.insert(lines.end(), of_scales.begin(), of_scales.end());
+  description.add(warnOfDrive(problem, deck));
+  description.add(warnOfPrescribedSlip(problem, deck));
+  description.add(describeScales(problem.scales));
   auto const& front = problem.scales.front;
   if (problem.scales.zone && front && front->cells < fewest_cells_of_front) {
     description.warnings.push_back(warnOfFront(front->cells, "at " + formatShort(front->rate) +
@@ -208,6 +207,16 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
 
 template Description describe(Problem<2> const&, ParameterList const&);
 template Description describe(Problem<3> const&, ParameterList const&);
+
+void Description::add(std::vector<std::string> const& more)
+{
+  lines.insert(lines.end(), more.begin(), more.end());
+}
+
+void Description::add(std::vector<Warning> const& more)
+{
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
 
 void print(Description const& description, std::ostream& stream)
 {

@@ -185,7 +185,7 @@ TEST_F(H5, NumbersOfAllTypesReadBack)
   EXPECT_EQ(file.store("id", &id, {1}).type(), h5::Type::int64);
   const auto dataset = file.store("numbers", numbers.data(), {2, 2});
   EXPECT_EQ(dataset.type(), h5::Type::int32);
-  EXPECT_EQ(dataset.kind(), h5::Kind::integer);
+  EXPECT_EQ(dataset.valueClass(), h5::ValueClass::integer);
   EXPECT_EQ(file.openDataset("checksum").read<std::uint64_t>()[0], largest);
   EXPECT_EQ(file.openDataset("id").read<long long>()[0], id);
   EXPECT_EQ(dataset.read<double>(), (std::vector<double>{-1, 2, 3, 4}));

@@ -77,7 +77,8 @@ private:
     for (const auto extent : dataset.shape()) {
       added.shape.push_back(extent);
     }
-    added.is_text = dataset.kind() != h5::Kind::real && dataset.kind() != h5::Kind::integer;
+    added.is_text = dataset.valueClass() != h5::ValueClass::real &&
+                    dataset.valueClass() != h5::ValueClass::integer;
     for (char const* attribute : attributes_read) {
       if (dataset.hasAttribute(attribute)) {
         added.attributes[attribute] = readAttribute(dataset, attribute);

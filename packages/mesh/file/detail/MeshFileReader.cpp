@@ -101,8 +101,9 @@ h5::Dataset MeshFileReader::datasetOf(std::string const& path, std::size_t colum
                                       bool only_integers) const
 {
   h5::Dataset dataset = open(path);
-  const h5::Kind kind = dataset.kind();
-  ASPERITY_REQUIRE(kind == h5::Kind::integer || (kind == h5::Kind::real && !only_integers),
+  const h5::ValueClass value_class = dataset.valueClass();
+  ASPERITY_REQUIRE(value_class == h5::ValueClass::integer ||
+                     (value_class == h5::ValueClass::real && !only_integers),
                    where_ << ": dataset '" << path << "' does not consist of "
                           << (only_integers ? "integers." : "numbers."));
   const h5::Shape shape = dataset.shape();
