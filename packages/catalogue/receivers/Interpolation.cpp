@@ -24,10 +24,16 @@ Values part(Values const& points, int dimension, std::size_t first, std::size_t 
 } // namespace
 
 Interpolation::Interpolation(io::OutputDomain const& from, Values points, std::string const& run)
+    : Interpolation(from, points, points, run)
+{
+}
+
+Interpolation::Interpolation(io::OutputDomain const& from, Values points, Values searched,
+                             std::string const& run)
     : from_(from)
     , location_(from)
     , points_(std::move(points))
-    , searched_(points_)
+    , searched_(std::move(searched))
     , run_(run)
 {
 }

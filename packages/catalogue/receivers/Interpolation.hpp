@@ -19,9 +19,10 @@ public:
   // messages.
   Interpolation(io::OutputDomain const& from, Values points, std::string const& run);
 
-  // Where a fault cuts the bodies, nodes of its two sides lie at one place: these points, one for
-  // each of the others and close to it, say on which side it is.
-  void searchAt(Values const& points) { searched_ = points; }
+  // Where a fault cuts the bodies, nodes of its two sides lie at one place. `searched` has a point
+  // for each of `points`, close to it and inside a cell of its side: the value is that of the side.
+  Interpolation(io::OutputDomain const& from, Values points, Values searched,
+                std::string const& run);
 
   // Fields of (num_owned, components) each, in the order of the nodes of the domain, linear between
   // them; or of (num_owned_elements, components), constant in each element. All at once, because

@@ -141,6 +141,16 @@ void add(io::FieldRegistry& registry, io::OutputField field,
   };
   registry.add(std::move(field));
 }
+
+void requireLoaded(std::string const& name, fem::CoulombPlane const& plane, int components)
+{
+  ASPERITY_REQUIRE(plane.isLoaded(components),
+                   "Asperity / Output / Coulomb Planes / "
+                     << name
+                     << ": no stress of this model acts along its rake, so that the Coulomb "
+                        "stress change would be zero. In antiplane models take a rake of 90 or "
+                        "-90; in plane strain one of 0 or 180, or a friction above 0.");
+}
 } // namespace
 
 template <int Dim>
@@ -148,61 +158,52 @@ void registerStressFields(io::FieldRegistry& registry, io::OutputDomain const& d
                           StressedBody<Dim> const& body,
                           std::map<std::string, fem::CoulombPlane> const& planes)
 {
+  using Observed = ObservedStress<Dim>;
   auto const stress = std::make_shared<DomainStress<Dim>>(body, domain);
   const int components = body.components;
-  auto const tensor = [&](char const* name, char const* unit, char const* meaning) {
+  auto const tensor = [&](std::string const& name, std::string const& unit,
+                          std::string const& meaning, auto const& evaluate) {
     auto const& names = fem::tensorComponents(components);
     io::OutputField field{name, unit, meaning, domain.name, static_cast<int>(names.size()), {}};
     field.component_names = names;
-    return field;
+    add(registry, std::move(field), stress, evaluate);
   };
-  add(registry,
-      tensor("stress", "Pa",
-             "Elastic and viscous stress in each element, positive in tension; without the deck's "
-             "Shear Traction and Normal Stress."),
-      stress, [](ObservedStress<Dim> const& observed) { return observed.stress(); });
-  add(registry, tensor("strain", "", "Strain in each element, positive in extension."), stress,
-      [](ObservedStress<Dim> const& observed) { return observed.strain(); });
+  auto const number = [&](std::string const& name, std::string const& unit,
+                          std::string const& meaning, auto const& evaluate) {
+    add(registry, {name, unit, meaning, domain.name, 1, {}}, stress, evaluate);
+  };
+
+  tensor("stress", "Pa",
+         "Elastic and viscous stress in each element, positive in tension; without the deck's "
+         "Shear Traction and Normal Stress.",
+         [](Observed const& observed) { return observed.stress(); });
+  tensor("strain", "", "Strain in each element, positive in extension.",
+         [](Observed const& observed) { return observed.strain(); });
   if (body.yielded) {
-    add(registry,
-        tensor("inelastic_strain", "", "Strain of each element that remains without stress."),
-        stress, [](ObservedStress<Dim> const& observed) { return observed.yielded().strain; });
-    add(registry,
-        {"inelastic_shear",
-         "",
-         "Accumulated inelastic shear strain in each element, the integral of sqrt(2 e' : e').",
-         domain.name,
-         1,
-         {}},
-        stress, [](ObservedStress<Dim> const& observed) { return observed.yielded().shear; });
+    tensor("inelastic_strain", "", "Strain of each element that remains without stress.",
+           [](Observed const& observed) { return observed.yielded().strain; });
+    number("inelastic_shear", "",
+           "Accumulated inelastic shear strain in each element, the integral of sqrt(2 e' : e').",
+           [](Observed const& observed) { return observed.yielded().shear; });
   }
   for (auto const& [variable, first, width] : body.history) {
-    const std::string name = variable.name;
-    auto field = width > 1
-                   ? tensor(variable.name, variable.unit, variable.meaning)
-                   : io::OutputField{name, variable.unit, variable.meaning, domain.name, 1, {}};
-    add(registry, field, stress, [name](ObservedStress<Dim> const& observed) {
+    auto const values = [name = std::string(variable.name)](Observed const& observed) {
       return observed.yielded().history.at(name);
-    });
+    };
+    if (width > 1) {
+      tensor(variable.name, variable.unit, variable.meaning, values);
+    } else {
+      number(variable.name, variable.unit, variable.meaning, values);
+    }
   }
   for (auto const& [name, plane] : planes) {
-    ASPERITY_REQUIRE(plane.isLoaded(components),
-                     "Asperity / Output / Coulomb Planes / "
-                       << name
-                       << ": no stress of this model acts along its rake, so that the Coulomb "
-                          "stress change would be zero. In antiplane models take a rake of 90 or "
-                          "-90; in plane strain one of 0 or 180, or a friction above 0.");
-    add(registry,
-        {coulombField(name),
-         "Pa",
-         "Change of the Coulomb stress since the start of the run on the plane " + name +
-           ", in each element; positive is nearer to failure.",
-         domain.name,
-         1,
-         {}},
-        stress, [components, plane = plane](ObservedStress<Dim> const& observed) {
-          return plane.stress(observed.stressSinceStart(), components);
-        });
+    requireLoaded(name, plane, components);
+    number(coulombField(name), "Pa",
+           "Change of the Coulomb stress since the start of the run on the plane " + name +
+             ", in each element; positive is nearer to failure.",
+           [components, plane = plane](Observed const& observed) {
+             return plane.stress(observed.stressSinceStart(), components);
+           });
   }
 }
 

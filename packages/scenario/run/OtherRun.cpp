@@ -181,10 +181,10 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
                                      *field, from.vertices));
     },
     state, other.model.initial);
-  catalogue::Interpolation in_body(from, to.coordinates, run.string());
-  if (!problem.mesh().faults.empty()) {
-    in_body.searchAt(pointsInCells(problem.mesh(), to.vertices));
-  }
+  const catalogue::Interpolation in_body(
+    from, to.coordinates,
+    problem.mesh().faults.empty() ? to.coordinates : pointsInCells(problem.mesh(), to.vertices),
+    run.string());
   auto const here = in_body(there, problem.components());
   auto carried = here.begin();
   State::visitBody(
