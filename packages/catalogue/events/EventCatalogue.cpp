@@ -1,13 +1,8 @@
 #include "catalogue/events/EventCatalogue.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Text.hpp"
-#include "base/parallel/Reductions.hpp"
 #include "catalogue/events/EventTable.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <sstream>
 
 namespace asperity::catalogue
@@ -15,25 +10,6 @@ namespace asperity::catalogue
 namespace
 {
 constexpr char const* list_path = "Asperity / Output / Event Catalogue";
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// The part of the time between two samples during which the rate is at least the threshold.
-double seismicFraction(double before, double after, double threshold)
-{
-  if (before >= threshold && after >= threshold) {
-    return 1;
-  }
-  if (before < threshold && after < threshold) {
-    return 0;
-  }
-  const double at = crossing(before, after, threshold);
-  return after >= threshold ? 1 - at : at;
-}
-
-double largest(std::vector<double> const& values)
-{
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-}
 } // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> EventCatalogue::validParameters()
@@ -48,191 +24,44 @@ std::string EventCatalogue::meaning()
 
 EventCatalogue::EventCatalogue(Teuchos::ParameterList const& parameters,
                                io::OutputContext const& context)
-    : EventCatalogue(EventSettings::entries().read(parameters, list_path), context, nullptr, {},
-                     "events.csv")
+    : EventCatalogue(EventSettings::entries().read(parameters, list_path), context)
 {
-  if (!settings_.each_fault) {
+}
+
+EventCatalogue::EventCatalogue(EventSettings const& settings, io::OutputContext const& context)
+    : settings_(settings)
+    , all_(settings, context, "events.csv")
+{
+  ASPERITY_REQUIRE(
+    !all_.domain().isCurve() || settings.smallest_magnitude == EventSettings::no_magnitude,
+    list_path << " / Smallest Magnitude = " << settings.smallest_magnitude
+              << ": in two dimensions an event has a moment per length and no magnitude. Give "
+                 "a Smallest Width instead.");
+  if (!settings.each_fault) {
     return;
   }
-  const auto files = eventFiles(fault().boundaries);
+  const auto files = eventFiles(all_.domain().boundaries);
   ASPERITY_REQUIRE(!files.empty(),
                    list_path << " / Each Fault is true, but "
                                 "there is friction on one boundary alone, whose events are in "
                                 "events.csv. Leave it out.");
   for (std::size_t i = 0; i < files.size(); ++i) {
-    faults_.emplace_back(
-      new EventCatalogue(settings_, context, this, static_cast<int>(i), files[i]));
-  }
-}
-
-EventCatalogue::EventCatalogue(EventSettings const& settings, io::OutputContext const& context,
-                               EventCatalogue const* whole, std::optional<int> boundary,
-                               std::string const& file)
-    : EventFollower(context, settings.threshold, boundary)
-    , settings_(settings)
-    , whole_(whole)
-    , slip_(context.fields.field("fault", "slip"))
-    , energies_(whole ? EventEnergies() : EventEnergies(context.fields))
-    , file_(context.directory / file, eventColumns(!fault().isCurve()) + energies_.header(),
-            context.comm)
-{
-  context.fields.field("fault", "shear_modulus").values(shear_modulus_);
-  ASPERITY_REQUIRE(
-    !fault().isCurve() || settings_.smallest_magnitude == EventSettings::no_magnitude,
-    list_path << " / Smallest Magnitude = " << settings_.smallest_magnitude
-              << ": in two dimensions an event has a moment per length and no magnitude. Give "
-                 "a Smallest Width instead.");
-  if (!fault().isCurve()) {
-    plane_ = faultPlane(fault(), context.up, boundary);
+    faults_.push_back(
+      std::make_unique<FaultEvents>(settings, context, files[i], &all_, static_cast<int>(i)));
   }
 }
 
 void EventCatalogue::write(io::StepInfo const& step)
 {
-  slip_.values(now_.slip);
-  now_.energies = energies_.sample();
-  EventFollower::write(step);
-  largest_rate_ = std::max(largest_rate_, previous().peak);
-  is_seismic_throughout_ = is_seismic_throughout_ && eventInProgress();
-  if (waits_ && step.time - last_.end >= settings_.merging_time) {
-    recordLast();
-  }
-  std::swap(before_, now_);
+  all_.write(step);
   for (auto const& each : faults_) {
     each->write(step);
   }
 }
 
-void EventCatalogue::begin(Sample const& now)
-{
-  earlier_ = Sample();
-  const double onset = crossingTime(now);
-  if (waits_ && onset - last_.end < settings_.merging_time) {
-    waits_ = false; // the event before goes on
-    ++num_events_;
-    return;
-  }
-  if (waits_) {
-    recordLast();
-  }
-  open_ = Event();
-  open_.onset = onset;
-  ++num_events_;
-  open_.number = whole_ ? whole_->open_.number : num_events_;
-  // If the very first sample is seismic, the fastest node counts as the first one.
-  std::vector<double> lateness(fault().numOwned(), infinity);
-  for (std::size_t i = 0; i < lateness.size(); ++i) {
-    if (now.rates[i] >= threshold()) {
-      lateness[i] =
-        hasPrevious() ? crossing(previous().rates[i], now.rates[i], threshold()) : -now.rates[i];
-    }
-  }
-  const auto first = firstNode(fault(), lateness);
-  open_.nucleation = first.position;
-  open_.hypocentre = first.coordinates;
-  energies_at_begin_ = hasPrevious() ? before_.energies : now_.energies;
-  seismic_slip_.assign(fault().numOwned(), 0);
-  ruptured_.assign(fault().numOwned(), 0);
-}
-
-void EventCatalogue::follow(Sample const& now)
-{
-  open_.peak_slip_rate = std::max({open_.peak_slip_rate, now.peak, peakSince(now)});
-  const std::size_t components = slip_.components;
-  for (std::size_t i = 0; i < fault().numOwned(); ++i) {
-    if (now.rates[i] >= threshold()) {
-      ruptured_[i] = 1;
-    }
-    if (hasPrevious()) {
-      double square = 0;
-      for (std::size_t k = i * components; k < (i + 1) * components; ++k) {
-        square += (now_.slip[k] - before_.slip[k]) * (now_.slip[k] - before_.slip[k]);
-      }
-      seismic_slip_[i] +=
-        seismicFraction(previous().rates[i], now.rates[i], threshold()) * std::sqrt(square);
-    }
-  }
-  if (hasPrevious()) {
-    earlier_ = previous();
-  }
-}
-
-double EventCatalogue::peakSince(Sample const& now) const
-{
-  double largest = 0;
-  for (std::size_t i = 0; i < earlier_.rates.size(); ++i) {
-    largest = std::max(largest, peakRate({earlier_.time, previous().time, now.time},
-                                         {earlier_.rates[i], previous().rates[i], now.rates[i]}));
-  }
-  return maxOverRanks(largest, *fault().comm);
-}
-
-void EventCatalogue::end(Sample const& now)
-{
-  last_ = measure(crossingTime(now), true);
-  energies_at_end_ = now_.energies;
-  waits_ = true;
-}
-
-Event EventCatalogue::measure(double end_time, bool complete) const
-{
-  double area = 0, moment = 0;
-  for (std::size_t i = 0; i < fault().numOwned(); ++i) {
-    area += ruptured_[i] ? fault().weights[i] : 0;
-    moment += fault().weights[i] * shear_modulus_[i] * seismic_slip_[i];
-  }
-  auto const& comm = *fault().comm;
-  Event event = open_;
-  event.end = end_time;
-  event.peak_slip = maxOverRanks(largest(seismic_slip_), comm);
-  event.moment = sumOverRanks(moment, comm);
-  event.complete = complete;
-  if (plane_) {
-    event.area = sumOverRanks(area, comm);
-    event.length = extent([this](std::size_t i) { return plane_->alongStrike(place(i)); });
-    event.width = extent([this](std::size_t i) { return plane_->downDip(place(i)); });
-  } else {
-    event.width = extent([this](std::size_t i) { return fault().positions[i]; });
-  }
-  return event;
-}
-
-template <class Coordinate>
-double EventCatalogue::extent(Coordinate const& coordinate) const
-{
-  double first = infinity, last = -infinity;
-  for (std::size_t i = 0; i < fault().numOwned(); ++i) {
-    if (ruptured_[i]) {
-      first = std::min(first, coordinate(i));
-      last = std::max(last, coordinate(i));
-    }
-  }
-  auto const& comm = *fault().comm;
-  return maxOverRanks(last, comm) - minOverRanks(first, comm);
-}
-
-bool EventCatalogue::isSmall(Event const& event) const
-{
-  return event.width < settings_.smallest_width ||
-         (settings_.smallest_magnitude > EventSettings::no_magnitude &&
-          event.magnitude() < settings_.smallest_magnitude);
-}
-
-void EventCatalogue::recordLast()
-{
-  waits_ = false;
-  if (isSmall(last_)) {
-    ++num_small_;
-    return;
-  }
-  events_.push_back(last_);
-  file_.writeRow(eventRow(last_) + energies_.columns(energies_at_begin_, energies_at_end_));
-  file_.flush(); // events are rare, and users wait for them
-}
-
 void EventCatalogue::closeSegment(int index)
 {
-  file_.flush();
+  all_.closeSegment(index);
   for (auto const& each : faults_) {
     each->closeSegment(index);
   }
@@ -240,60 +69,34 @@ void EventCatalogue::closeSegment(int index)
 
 void EventCatalogue::finish()
 {
-  if (eventInProgress()) {
-    last_ = measure(previous().time, false);
-    energies_at_end_ = before_.energies;
-    waits_ = true;
-    stop();
-  }
-  if (waits_) {
-    recordLast();
-  }
-  file_.flush();
+  all_.finish();
   for (auto const& each : faults_) {
     each->finish();
   }
 }
 
-std::optional<std::int64_t> EventCatalogue::numEvents() const
+bool EventCatalogue::endsRun() const
 {
-  const bool one_more = eventInProgress() || waits_;
-  return numComplete() + one_more;
+  return mayEndRun() && static_cast<std::int64_t>(events().size()) >= settings_.most_events;
 }
 
 std::string EventCatalogue::report() const
 {
   std::ostringstream text;
-  auto events = events_;
-  for (auto& event : events) {
-    event.fault = io::partAt(fault(), event.nucleation);
+  auto rows = events();
+  for (auto& event : rows) {
+    event.fault = io::partAt(all_.domain(), event.nucleation);
   }
-  printEvents(text, events);
+  printEvents(text, rows);
   text << '\n';
   printSummary(text, summary());
-  if (num_small_ > 0) {
-    text << "and " << num_small_ << " that are left out: below 'Smallest Width' or 'Smallest "
+  if (all_.numSmall() > 0) {
+    text << "and " << all_.numSmall() << " that are left out: below 'Smallest Width' or 'Smallest "
          << "Magnitude' of the event catalogue\n";
   }
-  text << onThreshold();
+  text << all_.thresholdRemark();
   text << '\n';
   return text.str();
-}
-
-// Where the table shows no earthquake because of the threshold.
-std::string EventCatalogue::onThreshold() const
-{
-  std::string const& entry =
-    " 'Event Catalogue / Threshold' = " + formatShort(threshold()) + " m/s";
-  if (num_events_ == 0 && largest_rate_ > 0) {
-    return "No event: the largest slip rate, " + formatShort(largest_rate_) + " m/s, is below" +
-           entry + ".\n";
-  }
-  if (is_seismic_throughout_ && largest_rate_ > 0) {
-    return "The fault slips above" + entry +
-           " at all times, so that all is one event. Choose one above the rates of creep.\n";
-  }
-  return "";
 }
 
 std::vector<double> EventCatalogue::choice() const
@@ -308,33 +111,8 @@ std::vector<double> EventCatalogue::choice() const
 
 void EventCatalogue::save(Archive& archive) const
 {
-  Archive follower;
-  EventFollower::save(follower);
-  archive.insert("follower", follower);
-  archive.insert("file", file_);
-  std::vector<double> numbers, open, last;
-  for (auto const& event : events_) {
-    appendNumbers(event, fault().dimension, numbers);
-  }
-  appendNumbers(open_, fault().dimension, open);
-  appendNumbers(last_, fault().dimension, last);
+  all_.save(archive);
   archive.set("choice", choice());
-  archive.set("num_events", num_events_);
-  archive.set("num_small", num_small_);
-  archive.set("last_event", last);
-  archive.set("last_waits", waits_);
-  archive.set("largest_rate", largest_rate_);
-  archive.set("seismic_throughout", is_seismic_throughout_);
-  archive.set("energies_at_end", energies_at_end_);
-  archive.set("events", numbers);
-  archive.set("open_event", open);
-  archive.setAtNodes("seismic_slip", seismic_slip_, fault().name);
-  archive.setAtNodes("ruptured", ruptured_, fault().name);
-  archive.set("energies_at_begin", energies_at_begin_);
-  archive.set("earlier/time", earlier_.time);
-  archive.setAtNodes("earlier/rates", earlier_.rates, fault().name);
-  archive.setAtNodes("before/slip", before_.slip, fault().name);
-  archive.set("before/energies", before_.energies);
   for (std::size_t i = 0; i < faults_.size(); ++i) {
     archive.insert("faults/" + std::to_string(i), *faults_[i]);
   }
@@ -342,37 +120,13 @@ void EventCatalogue::save(Archive& archive) const
 
 void EventCatalogue::restore(Archive const& archive)
 {
-  using Numbers = std::vector<double>;
-  EventFollower::restore(archive.child("follower"));
   ASPERITY_REQUIRE(
-    archive.get<Numbers>("choice") == choice(),
+    archive.get<std::vector<double>>("choice") == choice(),
     "Asperity / Output / Event Catalogue: the checkpoint continues a table with "
     "another Merging Time, Smallest Width, Smallest Magnitude or Each Fault. Restart "
     "with those of the earlier run; asperity-plot and asperity-report can leave out "
     "more.");
-  file_.restore(archive.child("file"));
-  const std::size_t dimension = fault().dimension;
-  auto const& numbers = archive.get<Numbers>("events");
-  events_.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += numbersOfEvent(dimension)) {
-    events_.push_back(eventFrom(&numbers[i], dimension));
-  }
-  open_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
-  last_ = eventFrom(archive.get<Numbers>("last_event").data(), dimension);
-  num_events_ = archive.getInteger("num_events");
-  num_small_ = archive.getInteger("num_small");
-  waits_ = archive.getInteger("last_waits") != 0;
-  const bool knows_rates = archive.has("largest_rate"); // not of versions before: no sentence then
-  largest_rate_ = knows_rates ? archive.getDouble("largest_rate") : 0;
-  is_seismic_throughout_ = knows_rates && archive.getInteger("seismic_throughout") != 0;
-  energies_at_end_ = archive.get<Numbers>("energies_at_end");
-  seismic_slip_ = archive.get<Numbers>("seismic_slip");
-  ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");
-  energies_at_begin_ = archive.get<Numbers>("energies_at_begin");
-  earlier_.time = archive.getDouble("earlier/time");
-  earlier_.rates = archive.get<Numbers>("earlier/rates");
-  before_.slip = archive.get<Numbers>("before/slip");
-  before_.energies = archive.get<Numbers>("before/energies");
+  all_.restore(archive);
   for (std::size_t i = 0; i < faults_.size(); ++i) {
     faults_[i]->restore(archive.child("faults/" + std::to_string(i)));
   }
