@@ -80,9 +80,8 @@ private:
 template <int Dim>
 Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> const& communicator)
 {
-  scenario::Evolution<Dim> evolution(deck, communicator);
-  evolution.start();
-  auto const& problem = evolution.problem();
+  auto const problem = scenario::makeProblem<Dim>(deck, communicator);
+  scenario::Evolution<Dim> evolution(problem, deck, {});
   Cost cost;
   cost.num_ranks = communicator->getSize();
   cost.num_unknowns =

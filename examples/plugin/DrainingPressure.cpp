@@ -1,8 +1,9 @@
 // A process on the fault of your own: a fluid whose pressure drains, dp/dt = -p / t_d, and lowers
-// the normal stress that friction takes. dynamics/FaultProcess.hpp says what a process has to have.
+// the normal stress that friction takes. The pressure follows from time alone, so that each step
+// knows it from the start. dynamics/FaultProcess.hpp says what a process has to have.
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/coupling/StepUnknown.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,34 +16,17 @@ using namespace asperity::dynamics;
 using Nodes = Kokkos::RangePolicy<ExecutionSpace>;
 char const* const field_name = "pressure";
 
-class Pressure : public StepUnknown
+struct Settings
 {
-public:
-  Pressure(double drainage_time, int num_nodes)
-      : drainage_time_(drainage_time)
-      , scale_("scale", num_nodes)
-  {
-    Kokkos::deep_copy(scale_, 1e-6);
-  }
+  double drainage_time = 1; // t_d [s]
 
-  NodeView of(State const& state) const override { return state.at(field_name); }
-  int respond(StepIterate const& step, NodeView const& image) override
+  // They join those of the list.
+  static Entries<Settings> entries(ParameterList& list)
   {
-    const ConstNodeView before = of(step.from);
-    const double rest = std::exp(-step.tau / drainage_time_);
-    Kokkos::parallel_for(
-      "drain", Nodes(0, image.extent_int(0)),
-      KOKKOS_LAMBDA(int node) { image(node) = rest * before(node); });
-    return 0;
+    Entries<Settings> entries({}, list);
+    return entries.real("Drainage Time", &Settings::drainage_time, "s", Range::positive(),
+                        "The pressure falls by e in this time.");
   }
-  // Else changes that are small beside the tolerance would be lost, in every step anew.
-  bool endsWithImage() const override { return true; }
-  // A change of 1 Pa counts as little as one of 1e-6 in alpha.
-  ConstNodeView scale() const override { return scale_; }
-
-private:
-  double drainage_time_;
-  NodeView scale_;
 };
 
 class DrainingPressure : public FaultProcess
@@ -50,31 +34,42 @@ class DrainingPressure : public FaultProcess
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
   {
-    return Declare()
-      .boolean("Enabled", false, "Whether there is a fluid.")
-      .field("Pressure", 0., "Pa", Range::atLeast(0), "The fluid starts with this pressure.")
-      .real("Drainage Time", 1., "s", Range::positive(), "The pressure falls by e in this time.")
-      .list();
+    auto const list =
+      Declare()
+        .boolean("Enabled", false, "Whether there is a fluid.")
+        .field("Pressure", 0., "Pa", Range::atLeast(0), "The fluid starts with this pressure.")
+        .list();
+    Settings::entries(*list);
+    return list;
   }
   static std::string meaning() { return "A fluid in the fault, whose pressure drains."; }
 
   DrainingPressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
       : start_(context.values("Pressure"))
-      , unknown_(std::make_shared<Pressure>(parameters.get<double>("Drainage Time"),
-                                            context.surface.numNodes()))
   {
+    ParameterList declared;
+    drainage_time_ = Settings::entries(declared).read(parameters, context.path).drainage_time;
   }
 
   std::vector<State::Added> fields(State const&) const override
   {
-    constexpr bool is_guessed = true;
     const NodeView p("pressure", start_.size());
     auto const host = Kokkos::create_mirror_view(p);
     std::copy(start_.begin(), start_.end(), host.data());
     Kokkos::deep_copy(p, host);
-    return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "pressure", "Pa", is_guessed}), p}};
+    return {{std::make_shared<FieldInfo>(FieldInfo{field_name, "pressure", "Pa"}), p}};
   }
-  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override { return {unknown_}; }
+  std::vector<std::shared_ptr<StepUnknown>> unknowns() const override
+  {
+    return {std::make_shared<KnownField>(
+      field_name, [drainage_time = drainage_time_](StepStart const& step, NodeView const& p) {
+        const ConstNodeView before = step.from.at(field_name);
+        const double rest = std::exp(-step.tau / drainage_time);
+        Kokkos::parallel_for(
+          "drain", Nodes(0, p.extent_int(0)),
+          KOKKOS_LAMBDA(int node) { p(node) = rest * before(node); });
+      })};
+  }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
     const ConstNodeView p = state.at(field_name);
@@ -86,7 +81,7 @@ public:
 
 private:
   std::vector<double> start_;
-  std::shared_ptr<Pressure> unknown_;
+  double drainage_time_;
 };
 } // namespace
 

@@ -1,7 +1,8 @@
-// A watch of your own: warns once slip is longer than a share of the body, where small strains do
-// not describe it. dynamics/watches/Watch.hpp says what a watch has to have.
+// A watch of your own: warns once slip is so long that small strains do not describe the body.
+// dynamics/watches/Watch.hpp says what a watch has to have.
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/watches/Watch.hpp"
+#include "parameters/Entries.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +12,16 @@ namespace
 using namespace asperity;
 using namespace asperity::dynamics;
 
-constexpr double largest_slip = 2e-4; // m, for a body of about a metre
-
 class LargeSlip : public Watch
 {
 public:
-  explicit LargeSlip(WatchContext const& context)
-      : communicator_(context.fault.surface().communicator())
+  // Its entries are in the deck's list `Time Stepping`.
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters() { return entries().list(); }
+  static std::string meaning() { return "slip above 'Largest Slip'"; }
+
+  LargeSlip(Teuchos::ParameterList const& parameters, WatchContext const& context)
+      : largest_(entries().read(parameters, parameters.name()).slip)
+      , communicator_(context.fault.surface().communicator())
   {
   }
 
@@ -28,7 +32,7 @@ public:
       mine = std::max(mine, std::abs(component));
     }
     const double slip = maxOverRanks(mine, *communicator_);
-    if (slip > largest_slip && !has_warned_) {
+    if (slip > largest_ && !has_warned_) {
       has_warned_ = true;
       notes.add(Warning{"large slip", "The fault has slipped by " + std::to_string(1e3 * slip) +
                                         " mm, which is much for this body."});
@@ -42,6 +46,17 @@ public:
   }
 
 private:
+  struct Settings
+  {
+    double slip = 2e-4; // [m]
+  };
+  static Entries<Settings> entries()
+  {
+    return Entries<Settings>().real("Largest Slip", &Settings::slip, "m", Range::positive(),
+                                    "The run warns once the fault has slipped by more than this.");
+  }
+
+  double largest_; // [m]
   RCP<const Communicator> communicator_;
   bool has_warned_ = false;
 };

@@ -1,6 +1,7 @@
 #include "io/OutputSet.hpp"
 
 #include "base/Errors.hpp"
+#include "parameters/Entries.hpp"
 #include "parameters/ParameterValue.hpp"
 #include "parameters/Parameters.hpp"
 
@@ -34,18 +35,37 @@ ParameterList complete(Teuchos::ParameterList const& given)
   return list;
 }
 
-std::array<double, 3> upIn(Teuchos::ParameterList const& output)
+// It joins those of the list.
+Entries<DirectionUp> upEntries(ParameterList& list)
 {
-  if (!output.isParameter("Up")) {
-    return {0, 1, 0};
-  }
-  auto const& up = output.get<Teuchos::Array<double>>("Up");
-  ASPERITY_REQUIRE(up.size() == 3 && std::hypot(up[0], up[1], up[2]) > 0,
-                   "Asperity / Output / Up has to be three numbers, not all of them zero. For "
-                   "example {0, 1, 0}.");
-  return {up[0], up[1], up[2]};
+  Entries<DirectionUp> entries({}, list);
+  entries.realArray("Up", &DirectionUp::up, optional, "-", Range::any(),
+                    "This vector points up in three dimensions; strike and dip of the fault "
+                    "follow from it. Its length has no effect. If it is left out, up is the "
+                    "axis that is nearest to the outward normal of the Free Surface; against "
+                    "Gravity Direction if there is none; without both, if gravity acts, where "
+                    "the boundaries face that nothing holds; else +y.");
+  return entries;
 }
 } // namespace
+
+DirectionUp DirectionUp::from(Teuchos::ParameterList const& output)
+{
+  ParameterList declared;
+  return upEntries(declared).read(output, "Asperity / Output");
+}
+
+std::array<double, 3> DirectionUp::required() const
+{
+  if (!up) {
+    return {0, 1, 0};
+  }
+  auto const& v = *up;
+  ASPERITY_REQUIRE(v.size() == 3 && std::hypot(v[0], v[1], v[2]) > 0,
+                   "Asperity / Output / Up has to be three numbers, not all of them zero. For "
+                   "example {0, 1, 0}.");
+  return {v[0], v[1], v[2]};
+}
 
 void OutputSet::declare(Teuchos::ParameterList& list)
 {
@@ -54,19 +74,14 @@ void OutputSet::declare(Teuchos::ParameterList& list)
     auto const& kind = OutputRegistry::instance().at(name);
     parameters.sublist(name, kind.validParameters(), kind.meaning());
   }
-  parameters.realArray("Up", optional, "-", Range::any(),
-                       "This vector points up in three dimensions; strike and dip of the fault "
-                       "follow from it. Its length has no effect. If it is left out, up is the "
-                       "axis that is nearest to the outward normal of the Free Surface; against "
-                       "Gravity Direction if there is none; without both, if gravity acts, where "
-                       "the boundaries face that nothing holds; else +y.");
+  upEntries(list);
 }
 
 OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext const& given)
 {
   auto const list = complete(parameters);
   OutputContext context = given;
-  context.up = upIn(list);
+  context.up = DirectionUp::from(list).required();
   makeOutputs(list, context);
   std::stable_partition(entries_.begin(), entries_.end(),
                         [](Entry const& entry) { return entry.output->mayEndRun(); });

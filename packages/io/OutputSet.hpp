@@ -8,6 +8,16 @@
 
 namespace asperity::io
 {
+// The entry `Up` of the deck's list `Output`.
+struct DirectionUp
+{
+  std::optional<std::vector<double>> up; // as the deck gives it
+
+  static DirectionUp from(Teuchos::ParameterList const& output);
+  // +y if it is not given; InputError if it is no direction.
+  std::array<double, 3> required() const;
+};
+
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,
 // each with the bool `Enabled`, and the direction `Up`. An output is left out, whatever the deck
 // says, if the run does not have the domain that it needs.

@@ -87,6 +87,12 @@ public:
     return bind<std::string>(name, member);
   }
   template <class Member>
+  Entries& text(std::string const& name, Member member, Required, std::string const& meaning)
+  {
+    declare_.text(name, required, meaning);
+    return bind<std::string>(name, member);
+  }
+  template <class Member>
   Entries& fileName(std::string const& name, Member member, Required, std::string const& meaning)
   {
     declare_.fileName(name, required, meaning);
@@ -126,6 +132,21 @@ public:
     });
     return *this;
   }
+  // The member is the chosen word, as for names of a registry.
+  template <class Member>
+  Entries& choiceOfWords(std::string const& name, Member member,
+                         std::vector<std::string> const& words, std::string const& meaning)
+  {
+    declare_.choice(name, value(member), words, meaning);
+    return bind<std::string>(name, member);
+  }
+  template <class Member>
+  Entries& choiceOfWords(std::string const& name, Member member, Required,
+                         std::vector<std::string> const& words, std::string const& meaning)
+  {
+    declare_.choice(name, required, words, meaning);
+    return bind<std::string>(name, member);
+  }
 
   // The member is the chosen word.
   template <class Member>
@@ -157,6 +178,40 @@ public:
       }
     });
     return *this;
+  }
+
+  // An entry that the deck may leave out; the member is a std::optional<std::vector<double>>.
+  template <class Member>
+  Entries& realArray(std::string const& name, Member member, Optional, std::string const& unit,
+                     Range range, std::string const& meaning)
+  {
+    declare_.realArray(name, optional, unit, range, meaning);
+    readers_.push_back([=](ParameterList const& list, std::string const&, T& result) {
+      if (list.isParameter(name)) {
+        std::invoke(member, result) = list.get<Teuchos::Array<double>>(name).toVector();
+      }
+    });
+    return *this;
+  }
+  template <class Member>
+  Entries& realArray(std::string const& name, Member member, Required, std::string const& unit,
+                     Range range, std::string const& meaning)
+  {
+    declare_.realArray(name, required, unit, range, meaning);
+    return bindVector<double>(name, member);
+  }
+  template <class Member>
+  Entries& integerArray(std::string const& name, Member member, Range range,
+                        std::string const& meaning)
+  {
+    declare_.integerArray(name, value(member), range, meaning);
+    return bindVector<int>(name, member);
+  }
+  template <class Member>
+  Entries& textArray(std::string const& name, Member member, std::string const& meaning)
+  {
+    declare_.textArray(name, value(member), meaning);
+    return bindVector<std::string>(name, member);
   }
 
   // An entry that the deck may leave out; the member is a std::optional<std::vector<std::string>>.
@@ -206,6 +261,15 @@ private:
   {
     readers_.push_back([=](ParameterList const& list, std::string const&, T& result) {
       std::invoke(member, result) = list.get<Stored>(name);
+    });
+    return *this;
+  }
+
+  template <class Stored, class Member>
+  Entries& bindVector(std::string const& name, Member member)
+  {
+    readers_.push_back([=](ParameterList const& list, std::string const&, T& result) {
+      std::invoke(member, result) = list.get<Teuchos::Array<Stored>>(name).toVector();
     });
     return *this;
   }

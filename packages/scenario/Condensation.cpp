@@ -1,6 +1,5 @@
 #include "scenario/Condensation.hpp"
 
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 
 #include <algorithm>
@@ -22,13 +21,6 @@ bool boundariesMoveSteadily(Problem<Dim> const& problem)
     return std::find(slipping.begin(), slipping.end(), dof) != slipping.end();
   });
 }
-
-template <int Dim>
-bool hasGravity(ParameterList const& bulk)
-{
-  auto const g = gravity<Dim>(bulk);
-  return std::any_of(g.begin(), g.end(), [](double component) { return component != 0; });
-}
 } // namespace
 
 template <int Dim>
@@ -40,7 +32,7 @@ std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> cons
   if (!is_wanted || problem.surface().numGlobalNodes() == 0 ||
       !problem.discretisation.boundary.tractions.empty() ||
       !problem.discretisation.boundary.resistances.empty() || problem.model.body.cells ||
-      hasGravity<Dim>(deck.sublist("Bulk")) || !boundariesMoveSteadily(problem)) {
+      problem.settings.bulk.hasGravity() || !boundariesMoveSteadily(problem)) {
     return nullptr;
   }
   return dynamics::StaticCondensation::make(problem.model);

@@ -81,8 +81,7 @@ RCP<const ParameterList> deckParameters()
                    "Each list in here, of any name, is one condition on one boundary.")
       .sublist("Initial State", initialStateParameters(),
                "This list describes the state in which the run starts.")
-      .sublist("Time Stepping", timeParameters(),
-               "This list selects the time scheme and how the sizes of steps are chosen.")
+      .sublist("Time Stepping", timeParameters(), meaningOfTime())
       .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
                "This list controls the fixed-point iteration between rate and state within a step.")
       .sublist("TNNMG", solverParameters(),
@@ -138,7 +137,7 @@ RCP<ParameterList> readCompleteDeck(CommandLine const& command_line)
   refuseFormerEntries(*deck);
   chooseLawsOf(*deck);
   assembleDeck(given, *valid);
-  if (!names_scheme && quasiDynamic(deck->sublist("Bulk"))) {
+  if (!names_scheme && BulkSettings::from(deck->sublist("Bulk")).isQuasiDynamic()) {
     deck->sublist("Time Stepping")
       .setEntry("Scheme", Teuchos::ParameterEntry(std::string(massless_scheme), true));
     completeAndValidate(*deck, *valid, "Asperity");

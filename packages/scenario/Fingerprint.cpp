@@ -2,6 +2,7 @@
 
 #include "base/Hashes.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "dynamics/watches/Watch.hpp"
 #include "io/checkpoint/MeshChecksum.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 
@@ -110,9 +111,15 @@ io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
   relevant.remove("TNNMG");
   relevant.remove("Coupling");
   auto& time = relevant.sublist("Time Stepping");
-  for (auto const* name :
-       {"Final Time", "Smallest Step", "Most Forced Steps", "Most Hiding Steps"}) {
+  for (auto const* name : {"Final Time", "Smallest Step"}) {
     time.remove(name, false);
+  }
+  auto const& watches = dynamics::WatchRegistry::instance();
+  for (auto const& name : watches.names()) { // they look on
+    auto const added = watches.at(name).validParameters();
+    for (auto const& entry : *added) {
+      time.remove(entry.first, false);
+    }
   }
   for (auto const* control : {"Step Doubling", "Richardson"}) {
     time.remove(control, false); // tolerance, norm, and the first step, which has been made

@@ -1,7 +1,7 @@
 #include "catalogue/events/Rupture.hpp"
 
 #include "io/series/SeriesLayout.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 
 #include <cmath>
 #include <limits>
@@ -11,16 +11,26 @@ namespace asperity::catalogue
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+struct RuptureSettings
+{
+  bool is_enabled = true;
+  double threshold = 1e-3; // [m/s]
+};
+
+Entries<RuptureSettings> ruptureEntries()
+{
+  return Entries<RuptureSettings>()
+    .boolean("Enabled", &RuptureSettings::is_enabled, "If true, the run writes this output.")
+    .real("Threshold", &RuptureSettings::threshold, "m/s", Range::positive(),
+          "The rupture has reached a node when its slip rate is at least this. An event lasts as "
+          "long as some node slips at least as fast.");
+}
 } // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> Rupture::validParameters()
 {
-  return Declare()
-    .boolean("Enabled", true, "If true, the run writes this output.")
-    .real("Threshold", 1e-3, "m/s", Range::positive(),
-          "The rupture has reached a node when its slip rate is at least this. An event lasts as "
-          "long as some node slips at least as fast.")
-    .list();
+  return ruptureEntries().list();
 }
 
 std::string Rupture::meaning()
@@ -29,7 +39,7 @@ std::string Rupture::meaning()
 }
 
 Rupture::Rupture(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
-    : EventFollower(context, parameters.get<double>("Threshold"))
+    : EventFollower(context, ruptureEntries().read(parameters, parameters.name()).threshold)
     , table_(tableOptions(context.directory), context.comm)
     , first_time_(fault().numOwned(), nan)
 {

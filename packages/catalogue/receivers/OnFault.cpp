@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "catalogue/receivers/PointLocation.hpp"
+#include "catalogue/receivers/Receivers.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -55,7 +56,7 @@ std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
       places.insert(places.end(), place.begin(), place.end());
     }
   }
-  if (names.empty() || !receivers.get<bool>("Enabled")) {
+  if (names.empty() || !ReceiverSettings::from(receivers).is_enabled) {
     return std::nullopt;
   }
   std::set<int> cut; // the plus vertices, but for tips

@@ -40,7 +40,7 @@ io::SegmentedTable::Options tableOf(io::OutputContext const& context,
 }
 } // namespace
 
-Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
+Entries<ReceiverSettings> ReceiverSettings::entries()
 {
   const std::string meaning = "The receiver lies at this position, in coordinates of the mesh.";
   const auto in_body =
@@ -52,23 +52,36 @@ Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
                    " On a fault in two dimensions a single number is the distance along it from "
                    "its upper end, or from the end of smaller x where the fault is level.")
       .list();
-  Declare parameters;
-  parameters
-    .boolean("Enabled", true,
+  Entries<ReceiverSettings> entries;
+  entries
+    .boolean("Enabled", &ReceiverSettings::is_enabled,
              "If true, the run writes this output, provided that there are receivers.")
+    .others()
     .openSublist("On Fault", on_fault, "Each entry puts a receiver of that name on the fault.")
-    .openSublist("Off Fault", in_body, "Each entry puts a receiver of that name in the body.")
-    .textArray("Fault Fields", optional,
+    .openSublist("Off Fault", in_body, "Each entry puts a receiver of that name in the body.");
+  entries
+    .textArray("Fault Fields", &ReceiverSettings::fault_fields, optional,
                "The fields of these names are written for receivers on the fault. If it is left "
                "out, these are slip, slip_rate, traction, normal_stress, and the state as theta, "
                "or as psi or alpha where the laws do not define theta; a fault without friction "
                "has no normal stress and no state. In three dimensions slip_velocity is written, "
                "too, and with fluids in the fault effective_normal_stress and their "
                "pore_pressure, darcy_velocity, fluid_pressure and temperature.")
-    .textArray("Body Fields", std::vector<std::string>{"displacement", "velocity"},
+    .textArray("Body Fields", &ReceiverSettings::body_fields,
                "The fields of these names are written for receivers in the body.");
-  io::WriteRule::declare(parameters, 1, 0);
-  return parameters.list();
+  return entries;
+}
+
+ReceiverSettings ReceiverSettings::from(ParameterList const& list)
+{
+  return entries().read(list, list.name());
+}
+
+Teuchos::RCP<const Teuchos::ParameterList> Receivers::validParameters()
+{
+  auto entries = ReceiverSettings::entries();
+  io::WriteRule::declare(entries.others(), 1, 0);
+  return entries.list();
 }
 
 std::string Receivers::meaning()
@@ -78,12 +91,8 @@ std::string Receivers::meaning()
 
 namespace
 {
-std::vector<std::string> faultFields(Teuchos::ParameterList const& parameters,
-                                     io::FieldRegistry const& registry)
+std::vector<std::string> usualFaultFields(io::FieldRegistry const& registry)
 {
-  if (parameters.isParameter("Fault Fields")) {
-    return parameters.get<Teuchos::Array<std::string>>("Fault Fields").toVector();
-  }
   std::vector<std::string> fields{"slip", "slip_rate", "traction"};
   const auto addIfThere = [&](std::string const& name) {
     const bool is_there = registry.hasField("fault", name);
@@ -108,6 +117,7 @@ Receivers::Receivers(Teuchos::ParameterList const& parameters, io::OutputContext
     : rule_(parameters)
 {
   const std::string path = "Asperity / Output / Receivers / ";
+  auto const settings = ReceiverSettings::from(parameters);
   const auto add = [&](std::string const& list, std::string const& group, std::string const& domain,
                        std::string const& entry, std::vector<std::string> const& fields) {
     const auto places = placesIn(parameters.sublist(list));
@@ -116,9 +126,9 @@ Receivers::Receivers(Teuchos::ParameterList const& parameters, io::OutputContext
         .first->second.chooseFields(fields, context.fields, path + entry);
     }
   };
-  add("On Fault", "on_fault", "fault", "Fault Fields", faultFields(parameters, context.fields));
-  add("Off Fault", "off_fault", "volume", "Body Fields",
-      parameters.get<Teuchos::Array<std::string>>("Body Fields").toVector());
+  add("On Fault", "on_fault", "fault", "Fault Fields",
+      settings.fault_fields ? *settings.fault_fields : usualFaultFields(context.fields));
+  add("Off Fault", "off_fault", "volume", "Body Fields", settings.body_fields);
   if (!groups_.empty()) {
     table_ = std::make_unique<io::SegmentedTable>(tableOf(context, groups_), context.comm);
   }

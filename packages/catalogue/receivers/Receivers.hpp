@@ -4,14 +4,27 @@
 #include "io/Output.hpp"
 #include "io/WriteRule.hpp"
 #include "io/series/SegmentedTable.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace asperity::catalogue
 {
+// What the deck's list `Receivers` says, but for the places and when rows are written.
+struct ReceiverSettings
+{
+  bool is_enabled = true;
+  std::optional<std::vector<std::string>> fault_fields; // empty: the usual ones
+  std::vector<std::string> body_fields = {"displacement", "velocity"};
+
+  static Entries<ReceiverSettings> entries();
+  static ReceiverSettings from(ParameterList const& list);
+};
+
 // Time series at chosen places: DIR/receivers.h5.
 class Receivers : public io::Output
 {

@@ -2,6 +2,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "io/OutputSet.hpp"
+#include "parameters/Entries.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -18,11 +20,22 @@ namespace
 constexpr char const* planes_list = "Coulomb Planes";
 constexpr char const* path = "Asperity / Output / ";
 
-std::array<double, 3> direction(ParameterList const& output, char const* name)
+// It joins those of the list.
+Entries<DirectionEast> eastEntries(ParameterList& output)
 {
-  auto const& given = output.get<Teuchos::Array<double>>(name);
+  Entries<DirectionEast> entries({}, output);
+  entries.realArray(
+    "East", &DirectionEast::east, "-", Range::any(),
+    "In three dimensions the part of this vector that is perpendicular to Up points east; "
+    "strikes of Coulomb Planes follow from it. Its length has no effect.");
+  return entries;
+}
+
+std::array<double, 3> eastOf(ParameterList const& output)
+{
+  auto const given = DirectionEast::from(output).east;
   ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
-                   path << name << " has to be three numbers, not all of them zero.");
+                   path << "East has to be three numbers, not all of them zero.");
   return {given[0], given[1], given[2]};
 }
 
@@ -55,8 +68,8 @@ void requireNumbers(std::string const& name, std::vector<double> const& numbers,
 
 fem::CoulombPlane inSpace(ParameterList const& output, std::vector<double> const& numbers)
 {
-  auto const up = direction(output, "Up");
-  auto const east = direction(output, "East");
+  auto const up = io::DirectionUp::from(output).required();
+  auto const east = eastOf(output);
   const double along = up[0] * east[0] + up[1] * east[1] + up[2] * east[2];
   const double sizes = std::hypot(up[0], up[1], up[2]) * std::hypot(east[0], east[1], east[2]);
   ASPERITY_REQUIRE(std::abs(along) < 0.999999 * sizes,
@@ -92,15 +105,17 @@ void declareCoulombPlanes(Declare& output)
                  "right, 0 along that direction and 90 along +z, both in degrees, and the "
                  "coefficient.")
       .list();
-  output
-    .openSublist(planes_list, plane,
-                 "Each entry is a plane, and its name gives the field "
-                 "coulomb_stress_change_<plane> of Volume Snapshots, Surface History and Receivers "
-                 "in the body.")
-    .realArray(
-      "East", std::vector<double>{1, 0, 0}, "-", Range::any(),
-      "In three dimensions the part of this vector that is perpendicular to Up points east; "
-      "strikes of Coulomb Planes follow from it. Its length has no effect.");
+  output.openSublist(planes_list, plane,
+                     "Each entry is a plane, and its name gives the field "
+                     "coulomb_stress_change_<plane> of Volume Snapshots, Surface History and "
+                     "Receivers in the body.");
+  eastEntries(*output.list());
+}
+
+DirectionEast DirectionEast::from(ParameterList const& output)
+{
+  ParameterList declared;
+  return eastEntries(declared).read(output, "Asperity / Output");
 }
 
 std::map<std::string, fem::CoulombPlane> coulombPlanes(ParameterList const& output, int dimension)

@@ -15,6 +15,14 @@ inline std::string coulombField(std::string const& plane)
   return "coulomb_stress_change_" + plane;
 }
 
+// The entry `East` of the deck's list `Output`.
+struct DirectionEast
+{
+  std::vector<double> east = {1, 0, 0}; // as the deck gives it
+
+  static DirectionEast from(ParameterList const& output);
+};
+
 // Adds the planes on which outputs may ask for the Coulomb stress change to the deck's list
 // `Output`, and the direction east from which strikes count.
 void declareCoulombPlanes(Declare& output);

@@ -1,7 +1,7 @@
 #include "dynamics/control/PrescribedSteps.hpp"
 
 #include "base/Errors.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 
 #include <algorithm>
 
@@ -9,9 +9,23 @@ namespace asperity::dynamics
 {
 namespace
 {
+struct LevelSettings
+{
+  std::vector<int> levels = {0};
+};
+
+Entries<LevelSettings> levelEntries()
+{
+  return Entries<LevelSettings>().integerArray(
+    "Levels", &LevelSettings::levels, Range::closed(0, 60),
+    "Each step is the largest one divided by two to the power of its entry; the last "
+    "entry is repeated. A step that is cut short to meet an instant uses up its "
+    "entry.");
+}
+
 std::vector<int> levelsOf(Teuchos::ParameterList const& parameters, ControlContext const& context)
 {
-  auto const levels = parameters.get<Teuchos::Array<int>>("Levels").toVector();
+  auto const levels = PrescribedSteps::levelsIn(parameters);
   ASPERITY_REQUIRE(!levels.empty(), context.path << " / Prescribed / Levels is empty.");
   const int finest = context.step.clock().finestLevel();
   for (int level : levels) {
@@ -25,12 +39,12 @@ std::vector<int> levelsOf(Teuchos::ParameterList const& parameters, ControlConte
 
 Teuchos::RCP<const Teuchos::ParameterList> PrescribedSteps::validParameters()
 {
-  return Declare()
-    .integerArray("Levels", std::vector<int>{0}, Range::closed(0, 60),
-                  "Each step is the largest one divided by two to the power of its entry; the last "
-                  "entry is repeated. A step that is cut short to meet an instant uses up its "
-                  "entry.")
-    .list();
+  return levelEntries().list();
+}
+
+std::vector<int> PrescribedSteps::levelsIn(Teuchos::ParameterList const& parameters)
+{
+  return levelEntries().read(parameters, parameters.name()).levels;
 }
 
 std::string PrescribedSteps::meaning() { return "the sizes are listed."; }

@@ -12,6 +12,7 @@ class PrescribedSteps final : public StepControl
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning();
+  static std::vector<int> levelsIn(Teuchos::ParameterList const& parameters); // of a complete list
 
   PrescribedSteps(CoupledStep& step, std::vector<int> levels);
   // Throws InputError where a level is below the smallest step.

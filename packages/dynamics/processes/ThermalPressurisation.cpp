@@ -6,7 +6,7 @@
 #include "dynamics/coupling/StressScale.hpp"
 #include "dynamics/processes/EffectiveStress.hpp"
 #include "dynamics/processes/ShearZone.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 #include "portability/Renamed.hpp"
 
 #include <algorithm>
@@ -147,33 +147,49 @@ private:
   FlagView kinked_;
 };
 
+struct ModeSettings
+{
+  int num_modes = 60;
+};
+
+// They join those of the list.
+Entries<ModeSettings> modeEntries(ParameterList& list)
+{
+  Entries<ModeSettings> entries({}, list);
+  entries.integer(
+    "Wavenumbers", &ModeSettings::num_modes, Range::closed(10, 1000),
+    "The profiles across the fault have this number of modes. With 60, temperature and "
+    "pressure at the fault are exact to 1e-5 while friction is constant.");
+  return entries;
+}
+
 class ThermalPressurisation : public FaultProcess
 {
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
   {
-    return Declare()
-      .boolean("Enabled", false, "If true, slip heats the fluid in the fault.")
-      .field("Thermal Diffusivity", 1e-6, "m^2/s", Range::positive(),
-             "Heat spreads across the fault with this diffusivity.")
-      .field("Hydraulic Diffusivity", 4e-4, "m^2/s", Range::positive(),
-             "The pressure of the fluid spreads across the fault with this diffusivity.")
-      .field("Volumetric Heat Capacity", 2.7e6, "J/(m^3 K)", Range::positive(),
-             "Rock with its fluid needs this heat for each kelvin.")
-      .field("Pressure per Temperature", 1e5, "Pa/K", Range::positive(),
-             "The pressure of the fluid rises by this for each kelvin while no fluid flows.")
-      .field("Shear Zone Half Width", 0.02, "m", Range::positive(),
-             "The heat of slip has the shape of a normal distribution across the fault with this "
-             "standard deviation.")
-      .field("Initial Temperature", 273.15, "K", Range::atLeast(0),
-             "The fault starts with this temperature.")
-      .field("Initial Pressure", 0., "Pa", Range::any(),
-             "The fluid starts with this pressure. With 0, Normal Stress is the effective one at "
-             "the start.")
-      .integer("Wavenumbers", 60, Range::closed(10, 1000),
-               "The profiles across the fault have this number of modes. With 60, temperature and "
-               "pressure at the fault are exact to 1e-5 while friction is constant.")
-      .list();
+    auto const list =
+      Declare()
+        .boolean("Enabled", false, "If true, slip heats the fluid in the fault.")
+        .field("Thermal Diffusivity", 1e-6, "m^2/s", Range::positive(),
+               "Heat spreads across the fault with this diffusivity.")
+        .field("Hydraulic Diffusivity", 4e-4, "m^2/s", Range::positive(),
+               "The pressure of the fluid spreads across the fault with this diffusivity.")
+        .field("Volumetric Heat Capacity", 2.7e6, "J/(m^3 K)", Range::positive(),
+               "Rock with its fluid needs this heat for each kelvin.")
+        .field("Pressure per Temperature", 1e5, "Pa/K", Range::positive(),
+               "The pressure of the fluid rises by this for each kelvin while no fluid flows.")
+        .field("Shear Zone Half Width", 0.02, "m", Range::positive(),
+               "The heat of slip has the shape of a normal distribution across the fault with this "
+               "standard deviation.")
+        .field("Initial Temperature", 273.15, "K", Range::atLeast(0),
+               "The fault starts with this temperature.")
+        .field("Initial Pressure", 0., "Pa", Range::any(),
+               "The fluid starts with this pressure. With 0, Normal Stress is the effective one at "
+               "the start.")
+        .list();
+    modeEntries(*list);
+    return list;
   }
   static std::string meaning()
   {
@@ -187,12 +203,13 @@ public:
     const auto values = [&](char const* name) {
       return toDevice(context.values(name), "asperity::dynamics::shearZone");
     };
+    ParameterList declared;
     zone_ = std::make_shared<ShearZone>(
       ShearZone::Properties{values("Thermal Diffusivity"), values("Hydraulic Diffusivity"),
                             values("Volumetric Heat Capacity"), values("Pressure per Temperature"),
                             values("Shear Zone Half Width"), values("Initial Temperature"),
                             values("Initial Pressure")},
-      parameters.get<int>("Wavenumbers"));
+      modeEntries(declared).read(parameters, context.path).num_modes);
     unknown_ = std::make_shared<ZonePressure>(zone_, context.surface);
   }
 

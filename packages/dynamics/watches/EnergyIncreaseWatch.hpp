@@ -8,8 +8,10 @@ namespace asperity::dynamics
 class EnergyIncreaseWatch : public Watch
 {
 public:
+  static std::string meaning() { return "an energy that grows in an iteration of TNNMG"; }
+
   EnergyIncreaseWatch() = default;
-  explicit EnergyIncreaseWatch(WatchContext const&) {}
+  EnergyIncreaseWatch(Teuchos::ParameterList const&, WatchContext const&) {}
 
   void note(WatchedState const& now, Notes& notes) override;
   // count: sweeps and corrections so far in which J grew. A warning for the first one, and again

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "parameters/Entries.hpp"
 
 #include <algorithm>
 #include <string>
@@ -26,6 +27,23 @@ bool isPowerOfTen(std::int64_t count)
     count /= 10;
   }
   return count == 1;
+}
+
+struct GrowthSettings
+{
+  int most_hiding = 10;
+};
+
+Entries<GrowthSettings> growthEntries()
+{
+  return Entries<GrowthSettings>().integer(
+    "Most Hiding Steps", &GrowthSettings::most_hiding, Range::atLeast(0),
+    "The run ends with an error after this number of steps that hide a growing slip rate: the peak "
+    "slip rate has more than doubled, and the fault slips in that step by more than a tenth of L "
+    "if the step does not meet the tolerance even at the smallest size, by more than L if it meets "
+    "it. The two kinds are counted apart, and a restart continues the counts: the first begins "
+    "again with a smaller Smallest Step, the second with a smaller Tolerance. 0 means no limit, "
+    "but a warning.");
 }
 
 constexpr char const* smaller_step = "a smaller 'Smallest Step'";
@@ -95,9 +113,14 @@ std::optional<Warning> GrowthWatch::noteSlowSlip(Step const& step)
       "."};
 }
 
-GrowthWatch::GrowthWatch(WatchContext const& context)
-    : GrowthWatch(context.slip_distance, context.deck.sublist("Time Stepping").get<int>(limit),
-                  !context.adapts)
+Teuchos::RCP<const Teuchos::ParameterList> GrowthWatch::validParameters()
+{
+  return growthEntries().list();
+}
+
+GrowthWatch::GrowthWatch(Teuchos::ParameterList const& parameters, WatchContext const& context)
+    : GrowthWatch(context.slip_distance,
+                  growthEntries().read(parameters, parameters.name()).most_hiding, !context.adapts)
 {
   tolerance_ = context.tolerance;
   if (context.fault.stateDecides()) {

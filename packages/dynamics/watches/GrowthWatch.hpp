@@ -16,8 +16,8 @@ namespace asperity::dynamics
 class GrowthWatch : public Watch
 {
 public:
-  // The entry of the deck's list `Time Stepping`.
-  static constexpr char const* limit = "Most Hiding Steps";
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning() { return "steps in which an earthquake may be lost"; }
 
   // slip_distance: L [m], the smallest of the fault; 0 if unknown: then growth alone counts in
   // steps that do not meet the tolerance, and other steps are not judged.
@@ -29,7 +29,7 @@ public:
       , is_prescribed_(is_prescribed)
   {
   }
-  explicit GrowthWatch(WatchContext const& context);
+  GrowthWatch(Teuchos::ParameterList const& parameters, WatchContext const& context);
 
   struct Step
   {

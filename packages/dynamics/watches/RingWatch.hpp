@@ -10,8 +10,10 @@ namespace asperity::dynamics
 class RingWatch : public Watch
 {
 public:
+  static std::string meaning() { return "a slip rate that rings"; }
+
   RingWatch() = default;
-  explicit RingWatch(WatchContext const& context) : fault_(&context.fault) {}
+  RingWatch(Teuchos::ParameterList const&, WatchContext const& context) : fault_(&context.fault) {}
 
   // time: at the end of a step [s]; rate: the peak slip rate there [m/s]. Returns a warning for the
   // 10th, 100th, ... step in a row that rings.

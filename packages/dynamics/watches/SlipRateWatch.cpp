@@ -9,7 +9,9 @@ namespace
 class SlipRateWatch : public Watch
 {
 public:
-  explicit SlipRateWatch(WatchContext const& context)
+  static std::string meaning() { return "slip rates that no rock has"; }
+
+  SlipRateWatch(Teuchos::ParameterList const&, WatchContext const& context)
       : largest_(context.largest_slip_rate)
       , to_tell_(largest_)
   {

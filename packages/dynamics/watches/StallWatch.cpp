@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "parameters/Entries.hpp"
 
 namespace asperity::dynamics
 {
@@ -18,13 +19,32 @@ bool isWorthALine(std::int64_t count)
   return count == first_warning;
 }
 
+struct StallSettings
+{
+  int most_forced = 10000;
+};
+
+Entries<StallSettings> stallEntries()
+{
+  return Entries<StallSettings>().integer(
+    "Most Forced Steps", &StallSettings::most_forced, Range::atLeast(0),
+    "The run ends with an error after this number of steps in a row that even at the smallest size "
+    "did not meet the tolerance; 0 means that there is no limit. A restart continues the count "
+    "unless Smallest Step is smaller.");
+}
+
 constexpr char const* advice = "Try a smaller 'Smallest Step', a looser tolerance if it is below "
                                "1e-6, and check "
                                "the slip rates, lengths and stresses of the friction law.";
 } // namespace
 
-StallWatch::StallWatch(WatchContext const& context)
-    : StallWatch(context.deck.sublist("Time Stepping").get<int>(limit))
+Teuchos::RCP<const Teuchos::ParameterList> StallWatch::validParameters()
+{
+  return stallEntries().list();
+}
+
+StallWatch::StallWatch(Teuchos::ParameterList const& parameters, WatchContext const&)
+    : StallWatch(stallEntries().read(parameters, parameters.name()).most_forced)
 {
 }
 

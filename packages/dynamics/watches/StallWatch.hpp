@@ -9,12 +9,12 @@ namespace asperity::dynamics
 class StallWatch : public Watch
 {
 public:
-  // The entry of the deck's list `Time Stepping`.
-  static constexpr char const* limit = "Most Forced Steps";
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+  static std::string meaning() { return "many steps in a row that do not meet the tolerance"; }
 
   // most_forced: the number of forced steps in a row at which the run ends; 0 means no limit.
   explicit StallWatch(std::int64_t most_forced) : most_forced_(most_forced) {}
-  explicit StallWatch(WatchContext const& context);
+  StallWatch(Teuchos::ParameterList const& parameters, WatchContext const& context);
 
   void note(WatchedState const& now, Notes& notes) override;
   struct Step

@@ -2,11 +2,16 @@
 
 namespace asperity::dynamics
 {
-Watches::Watches(WatchContext const& context)
+Teuchos::RCP<const Teuchos::ParameterList> Watch::validParameters()
+{
+  return Teuchos::rcp(new Teuchos::ParameterList());
+}
+
+Watches::Watches(Teuchos::ParameterList const& parameters, WatchContext const& context)
 {
   auto const& registry = WatchRegistry::instance();
   for (auto const& name : registry.names()) {
-    watches_.push_back({name, registry.at(name).make(context)});
+    watches_.push_back({name, registry.at(name).make(parameters, context)});
   }
 }
 

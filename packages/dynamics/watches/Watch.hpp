@@ -8,7 +8,7 @@
 #include "dynamics/fault/Fault.hpp"
 #include "dynamics/fault/NormalReaction.hpp"
 #include "dynamics/observables/FaultSample.hpp"
-#include "portability/Registry.hpp"
+#include "parameters/Kind.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -61,6 +61,10 @@ struct Notes
 class Watch
 {
 public:
+  // The entries that a kind of watch adds to the deck's list `Time Stepping`: none, unless its class
+  // has a function of the same name.
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
+
   virtual ~Watch() = default;
   virtual void note(WatchedState const& now, Notes& notes) = 0;
   // Throws SolveError if the run has to end. Comes after the notes are written.
@@ -100,28 +104,22 @@ struct WatchContext
 
 // Registered under the name of its memory in checkpoints, at the bottom of the file of the watch:
 //   ASPERITY_REGISTER(WatchRegistry, "ring_watch", WatchKindOf<RingWatch>)
-// A watch is made of a WatchContext.
-struct WatchKind
+// A watch is made of the deck's list `Time Stepping`, which has the entries of all kinds, and of a
+// WatchContext. Its `meaning` is what it warns of, as "a slip rate that rings".
+struct WatchKind : Kind<Watch, WatchContext>
 {
   static constexpr char const* registered_as = "watch";
-  virtual ~WatchKind() = default;
-  virtual std::unique_ptr<Watch> make(WatchContext const& context) const = 0;
 };
-template <class Kind>
-struct WatchKindOf : WatchKind
-{
-  std::unique_ptr<Watch> make(WatchContext const& context) const override
-  {
-    return std::make_unique<Kind>(context);
-  }
-};
+template <class Type>
+using WatchKindOf = KindOf<WatchKind, Type>;
 using WatchRegistry = Registry<WatchKind>;
 
 // All watches that are registered, as one.
 class Watches
 {
 public:
-  explicit Watches(WatchContext const& context);
+  // parameters: the deck's list `Time Stepping`, complete.
+  Watches(Teuchos::ParameterList const& parameters, WatchContext const& context);
 
   void note(WatchedState const& now, Notes& notes);
   void requireUse() const;

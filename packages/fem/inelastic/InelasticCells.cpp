@@ -204,12 +204,13 @@ double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const&
   const RangePolicy cells(0, numCells());
   double change = 0, stress = 0; // squares
   if (as_maximum) {
+    // A nan counts as an infinite change; a plain maximum would ignore it.
     Kokkos::parallel_reduce(
       "asperity::fem::largestInCells", cells,
       KOKKOS_LAMBDA(int cell, double& most, double& most_stress) {
         const double square = squareOfChange(cell, moduli, e, other);
         const double of_stress = shear_stress(cell) * shear_stress(cell);
-        most = square > most ? square : most;
+        most = square <= most ? most : square >= 0 ? square : INFINITY;
         most_stress = of_stress > most_stress ? of_stress : most_stress;
       },
       Kokkos::Max<double>(change), Kokkos::Max<double>(stress));

@@ -1,6 +1,6 @@
 #include "io/outputs/FieldHistory.hpp"
 
-#include <Teuchos_Array.hpp>
+#include "parameters/Entries.hpp"
 
 #include <algorithm>
 
@@ -8,12 +8,38 @@ namespace asperity::io
 {
 namespace
 {
+constexpr char const* fields_entry = "Fields";
+
+struct HistorySettings
+{
+  bool is_enabled = true;
+  std::vector<std::string> fields;
+  bool is_single = true; // precision
+
+  // They join those of the list.
+  static Entries<HistorySettings> entries(HistorySettings const& defaults, ParameterList& list)
+  {
+    Entries<HistorySettings> entries(defaults, list);
+    entries.boolean("Enabled", &HistorySettings::is_enabled, "If true, the run writes this output.")
+      .textArray(fields_entry, &HistorySettings::fields, "The fields of these names are written.")
+      .choice("Precision", &HistorySettings::is_single, {{"Single", true}, {"Double", false}},
+              "Selects the precision of the fields in the file; times and coordinates are always "
+              "written in double precision.");
+    return entries;
+  }
+  static HistorySettings from(Teuchos::ParameterList const& parameters)
+  {
+    ParameterList declared;
+    return entries({}, declared).read(parameters, parameters.name());
+  }
+};
+
 std::vector<OutputField const*> chosenFields(std::string const& domain,
                                              Teuchos::ParameterList const& parameters,
                                              OutputContext const& context)
 {
-  auto names = parameters.get<Teuchos::Array<std::string>>("Fields").toVector();
-  if (parameters.getEntry("Fields").isDefault()) { // not every model has a state, say
+  auto names = HistorySettings::from(parameters).fields;
+  if (parameters.getEntry(fields_entry).isDefault()) { // not every model has a state, say
     const auto is_missing = [&](auto const& name) {
       return !context.fields.hasField(domain, name);
     };
@@ -27,11 +53,7 @@ std::vector<OutputField const*> chosenFields(std::string const& domain,
 Teuchos::RCP<const Teuchos::ParameterList> FieldHistory::parametersWith(Defaults const& defaults)
 {
   Declare parameters;
-  parameters.boolean("Enabled", defaults.enabled, "If true, the run writes this output.")
-    .textArray("Fields", defaults.fields, "The fields of these names are written.")
-    .choice("Precision", std::string("Single"), {"Single", "Double"},
-            "Selects the precision of the fields in the file; times and coordinates are always "
-            "written in double precision.");
+  HistorySettings::entries({defaults.enabled, defaults.fields}, *parameters.list());
   WriteRule::declare(parameters, defaults.every_n_steps, defaults.rate_change_factor);
   return parameters.list();
 }
@@ -39,7 +61,7 @@ Teuchos::RCP<const Teuchos::ParameterList> FieldHistory::parametersWith(Defaults
 FieldHistory::FieldHistory(std::string const& domain, Teuchos::ParameterList const& parameters,
                            OutputContext const& context)
     : rule_(parameters)
-    , series_({context.directory, domain, parameters.get<std::string>("Precision") == "Single"},
+    , series_({context.directory, domain, HistorySettings::from(parameters).is_single},
               context.domain(domain), chosenFields(domain, parameters, context))
 {
 }

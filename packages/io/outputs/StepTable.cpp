@@ -1,8 +1,9 @@
 #include "io/Output.hpp"
 #include "io/files/TextTable.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 
-#include <Teuchos_Array.hpp>
+#include <string>
+#include <vector>
 
 namespace asperity::io
 {
@@ -12,15 +13,7 @@ namespace
 class StepTable : public Output
 {
 public:
-  static Teuchos::RCP<const Teuchos::ParameterList> validParameters()
-  {
-    return Declare()
-      .boolean("Enabled", true, "If true, the run writes this output.")
-      .textArray("Quantities", std::vector<std::string>{},
-                 "The quantities of these names are written in columns after the step, its time, "
-                 "size, peak slip rate and wall time. If none is named, all are written.")
-      .list();
-  }
+  static Teuchos::RCP<const Teuchos::ParameterList> validParameters() { return entries().list(); }
 
   static std::string meaning() { return "Writes to steps.csv what every accepted step cost."; }
 
@@ -54,10 +47,24 @@ public:
 private:
   using Scalars = std::vector<OutputScalar const*>;
 
+  struct Settings
+  {
+    bool is_enabled = true;
+    std::vector<std::string> quantities;
+  };
+  static Entries<Settings> entries()
+  {
+    return Entries<Settings>()
+      .boolean("Enabled", &Settings::is_enabled, "If true, the run writes this output.")
+      .textArray("Quantities", &Settings::quantities,
+                 "The quantities of these names are written in columns after the step, its time, "
+                 "size, peak slip rate and wall time. If none is named, all are written.");
+  }
+
   static Scalars chosenScalars(Teuchos::ParameterList const& parameters,
                                FieldRegistry const& registry)
   {
-    auto names = parameters.get<Teuchos::Array<std::string>>("Quantities").toVector();
+    auto names = entries().read(parameters, parameters.name()).quantities;
     if (names.empty()) {
       names = registry.scalarNames();
     }

@@ -56,14 +56,15 @@ FreeSurface openBoundaries(ParameterList const& list, Mesh<Dim> const& mesh,
 } // namespace
 
 template <int Dim>
-Discretisation<Dim> discretise(ParameterList const& deck,
+Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& settings,
                                RCP<const Communicator> const& communicator)
 {
   auto const& conditions = deck.sublist("Boundary Conditions");
-  const int components = displacementComponents(deck.sublist("Bulk"), Dim);
+  requireDimension(settings.bulk, Dim);
+  const int components = settings.bulk.components;
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
   auto kinds = faultKinds();
-  kinds.push_back("Prescribed Slip Rate");
+  kinds.push_back(continuationType().name);
   ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(deck.sublist("Friction")),
                    "Asperity / Friction has no effect: Asperity / Boundary Conditions has no "
                    "condition of Type "
@@ -84,22 +85,24 @@ Discretisation<Dim> discretise(ParameterList const& deck,
   auto const& bulk = deck.sublist("Bulk");
   auto rock = makeRock(bulk, mesh, *communicator);
   auto patches = makePatches(bulk, boundary.faults, mesh, rock, *communicator);
+  auto upright = uprightOf(
+    deck, Dim,
+    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)},
+    openBoundaries(conditions, mesh, *communicator));
+  auto fault_boundary = mesh::joinBoundaries(mesh, boundary.faults); // the mesh is complete
   auto const dofs =
     std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
   const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
   const std::vector<double> samples = {0, end / 3, end};
   auto const constraints =
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);
-  auto upright = uprightOf(
-    deck, Dim,
-    {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)},
-    openBoundaries(conditions, mesh, *communicator));
-  auto fault_boundary = mesh::joinBoundaries(mesh, boundary.faults);
   return {std::move(boundary), std::move(mesh), std::move(fault_boundary), dofs,
           constraints,         std::move(rock), std::move(patches),        samples,
           std::move(upright)};
 }
 
-template Discretisation<2> discretise(ParameterList const&, RCP<const Communicator> const&);
-template Discretisation<3> discretise(ParameterList const&, RCP<const Communicator> const&);
+template Discretisation<2> discretise(ParameterList const&, DeckSettings const&,
+                                      RCP<const Communicator> const&);
+template Discretisation<3> discretise(ParameterList const&, DeckSettings const&,
+                                      RCP<const Communicator> const&);
 } // namespace asperity::scenario

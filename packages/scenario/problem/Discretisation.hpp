@@ -4,6 +4,7 @@
 #include "fem/constraints/Constraints.hpp"
 #include "fem/dofs/DofMap.hpp"
 #include "mesh/Mesh.hpp"
+#include "scenario/problem/DeckSettings.hpp"
 #include "scenario/setup/RockSetup.hpp"
 #include "scenario/setup/Upright.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
@@ -35,6 +36,6 @@ struct Discretisation
 // Reads mesh, boundary conditions and rock of a deck. Throws InputError on all ranks where they
 // contradict each other. Collective.
 template <int Dim>
-Discretisation<Dim> discretise(ParameterList const& deck,
+Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& settings,
                                RCP<const Communicator> const& communicator);
 } // namespace asperity::scenario

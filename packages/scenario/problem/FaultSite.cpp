@@ -25,17 +25,20 @@ std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim> const& 
 } // namespace
 
 template <int Dim>
-FaultSite makeFaultSite(ParameterList const& deck, Discretisation<Dim> const& discretisation,
-                        CrsGraph const& graph)
+FaultSite makeFaultSite(ParameterList const& deck, DeckSettings const& settings,
+                        Discretisation<Dim> const& discretisation, CrsGraph const& graph)
 {
   auto const& mesh = discretisation.mesh;
   auto surface = makeSurface(discretisation, graph);
   auto nodes = faultNodes(mesh, *surface);
   auto materials = fem::materialsAtNodes(mesh, *surface, discretisation.rock.materials);
-  auto eta = radiationDamping(deck.sublist("Bulk"), nodes, surface->otherSide(), materials);
+  auto eta =
+    radiationDamping(settings.bulk, deck.sublist("Bulk"), nodes, surface->otherSide(), materials);
   return {std::move(surface), std::move(nodes), std::move(materials), std::move(eta)};
 }
 
-template FaultSite makeFaultSite(ParameterList const&, Discretisation<2> const&, CrsGraph const&);
-template FaultSite makeFaultSite(ParameterList const&, Discretisation<3> const&, CrsGraph const&);
+template FaultSite makeFaultSite(ParameterList const&, DeckSettings const&,
+                                 Discretisation<2> const&, CrsGraph const&);
+template FaultSite makeFaultSite(ParameterList const&, DeckSettings const&,
+                                 Discretisation<3> const&, CrsGraph const&);
 } // namespace asperity::scenario

@@ -65,8 +65,8 @@ std::optional<Warning> warnOfContrast(SetupContext<Dim> const& context)
   auto const& mesh = context.discretisation.mesh;
   auto const& surface = *context.site.surface;
   ParameterList const& bulk = context.deck.sublist("Bulk");
-  ParameterList const& friction = context.deck.sublist("Friction");
-  if (!surface.otherSide().is_inside || quasiDynamic(bulk) || !followsAtOnce(friction)) {
+  if (!surface.otherSide().is_inside || context.settings.bulk.isQuasiDynamic() ||
+      !context.settings.friction.followsAtOnce()) {
     return std::nullopt;
   }
   auto const plus = dynamics::placesBeside(mesh, surface, fem::Side::plus);
@@ -78,7 +78,7 @@ std::optional<Warning> warnOfContrast(SetupContext<Dim> const& context)
   });
   return dynamics::warnOfContrast(
     dynamics::materialContrast(plus.places, above, below, *surface.communicator()),
-    FrictionSettings::from(friction).change);
+    context.settings.friction.change);
 }
 } // namespace
 
@@ -88,8 +88,7 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
                     std::vector<Warning> const& of_stress)
 {
   ParameterList const& deck = context.deck;
-  auto const& bulk = deck.sublist("Bulk");
-  auto const& friction = deck.sublist("Friction");
+  auto const& friction = context.friction();
   auto const& mesh = context.discretisation.mesh;
   auto const& rock = context.discretisation.rock;
   auto const& site = context.site;
@@ -108,9 +107,9 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
 
   auto& warnings = findings.warnings;
   append(fem::warnOfPieces(mesh, context.discretisation.dofs->communicator()), warnings);
-  append(warnOfLocking(bulk, rock, context.communicator()), warnings);
+  append(warnOfLocking(context.settings.bulk, rock, context.communicator()), warnings);
   append(dynamics::warnOfImplausibleValues(beside), warnings);
-  if (bearsFriction(friction)) {
+  if (context.settings.friction.laws.bearsFriction()) {
     append(warnOfImplausibleFriction(friction, site.nodes, context.communicator()), warnings);
   }
   append(of_stress, warnings);
@@ -120,8 +119,9 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
     of_rock =
       warnOfStressAtStart(deck, mesh, *rock.yielding, site.nodes, *site.surface, traction.at(0));
   }
-  for (auto const& warning : {of_rock, warnOfUp(bulk, Dim, context.discretisation.upright),
-                              warnOfContrast(context), warnOfVelocity(deck, mesh, *site.surface)}) {
+  for (auto const& warning :
+       {of_rock, warnOfUp(context.settings.bulk, Dim, context.discretisation.upright),
+        warnOfContrast(context), warnOfVelocity(deck, mesh, *site.surface)}) {
     if (warning) {
       warnings.push_back(*warning);
     }

@@ -172,7 +172,7 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
   state.alpha = initialAlpha(list, at_fault, fault, state, start.traction);
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
-  if (choicesOf(list).is_balanced && !quasiDynamic(deck.sublist("Bulk"))) {
+  if (choicesOf(list).is_balanced && !context.settings.bulk.isQuasiDynamic()) {
     auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
     double dt = std::min(time.largest_step, time.final_time) * 1e-6;
     dt = std::min(dt, time.smallest_step.value_or(dt));
@@ -192,7 +192,7 @@ std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const
 {
   auto const& list = deck.sublist("Initial State");
   if (!surface.otherSide().is_inside || surface.numSliding() == 0 || isGiven(list, "Slip Rate") ||
-      !quasiDynamic(deck.sublist("Bulk"))) {
+      !BulkSettings::from(deck.sublist("Bulk")).isQuasiDynamic()) {
     return std::nullopt;
   }
   auto const nodes = faultNodes(mesh, surface);

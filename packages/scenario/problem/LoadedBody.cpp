@@ -19,7 +19,7 @@ RCP<const CrsMatrix> withResistances(SetupContext<Dim> const& context, RCP<const
                                      fem::BoundaryResistance::Against against)
 {
   auto const& discretisation = context.discretisation;
-  const bool is_massless = quasiDynamic(context.deck.sublist("Bulk"));
+  const bool is_massless = context.settings.bulk.isQuasiDynamic();
   for (auto const& resistance : discretisation.boundary.resistances) {
     if (resistance.against != against) {
       continue;
@@ -52,7 +52,7 @@ RCP<const CrsMatrix> dampedViscosity(SetupContext<Dim> const& context,
     withResistances(context, undamped, fem::BoundaryResistance::Against::velocity);
   auto const& site = context.site;
   auto const& dofs = *context.discretisation.dofs;
-  return quasiDynamic(context.deck.sublist("Bulk"))
+  return context.settings.bulk.isQuasiDynamic()
            ? fem::withDampers(*viscosity, dofs,
                               fem::radiationDampers(*site.surface, dofs, site.radiation_damping))
            : viscosity;
@@ -80,18 +80,18 @@ LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices
   auto const& dofs = *discretisation.dofs;
   auto const& frames = discretisation.frames();
   auto const& surface = context.site.surface;
-  ParameterList const& bulk = context.deck.sublist("Bulk");
+  auto const& bulk = context.settings.bulk;
   matrices.stiffness =
     withResistances(context, matrices.stiffness, fem::BoundaryResistance::Against::displacement);
   matrices.viscosity = fem::withoutZeros(dampedViscosity(context, matrices.viscosity));
-  if (quasiDynamic(bulk)) {
+  if (bulk.isQuasiDynamic()) {
     matrices.mass = fem::withoutZeros(fem::zeroLike(*matrices.mass));
     matrices.is_massless = true;
   }
 
   auto const gravity = fem::assembleGravity<Dim>(
     mesh, dofs, frames, rock.materials, scenario::gravity<Dim>(bulk, discretisation.upright.down));
-  ShearTraction traction(context.deck.sublist("Friction"), context.site.nodes, *surface, frames);
+  ShearTraction traction(context.friction(), context.site.nodes, *surface, frames);
   auto const on_boundaries =
     std::make_shared<fem::BoundaryLoad>(mesh, dofs, frames, discretisation.boundary.tractions);
   auto const constraints = discretisation.constraints;
@@ -111,9 +111,10 @@ LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices
     body.cells = std::make_shared<fem::InelasticCells>(mesh, discretisation.dofs, frames,
                                                        rock.materials, *rock.yielding);
   }
-  on_boundaries->addSteady(*gravity);
-  on_boundaries->addVarying(0, *gravity);
-  return {std::move(body), std::move(traction), gravity};
+  auto const static_load = rcp(new Vector(*gravity, Teuchos::Copy));
+  on_boundaries->addSteady(*static_load);
+  on_boundaries->addVarying(0, *static_load);
+  return {std::move(body), std::move(traction), static_load};
 }
 
 template LoadedBody makeBody(SetupContext<2> const&, fem::BodyMatrices);

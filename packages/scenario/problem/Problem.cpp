@@ -1,15 +1,14 @@
 #include "scenario/problem/Problem.hpp"
 
 #include "dynamics/initial/FoundationPressure.hpp"
-#include "fem/FaultMesh.hpp"
 #include "fem/PatchedBody.hpp"
 #include "fem/SupportWeights.hpp"
+#include "scenario/problem/FaultAtStart.hpp"
 #include "scenario/problem/InitialState.hpp"
 #include "scenario/problem/LoadedBody.hpp"
 #include "scenario/problem/StaticStart.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/friction/FaultLoads.hpp"
-#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -21,13 +20,13 @@ namespace
 {
 // Empty where nothing presses across the fault.
 template <int Dim>
-dynamics::ReactionSinceStart
-reactionSinceStart(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
-                   dynamics::Fault const& fault, dynamics::State const& initial)
+dynamics::ReactionSinceStart reactionSinceStart(SetupContext<Dim> const& context,
+                                                dynamics::Body const& body,
+                                                dynamics::State const& initial)
 {
-  auto const& surface = fault.surface();
-  if (discretisation.components() < Dim || surface.otherSide().is_mirrored ||
-      surface.numGlobalNodes() == 0) {
+  auto const& discretisation = context.discretisation;
+  auto const& surface = *context.site.surface;
+  if (!context.bodyPresses() || surface.numGlobalNodes() == 0) {
     return {};
   }
   return dynamics::reactionSince(
@@ -42,35 +41,30 @@ template <int Dim>
 Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> const& communicator)
 {
   // 1. The mesh with its unknowns, constraints and rock.
-  auto discretisation = discretise<Dim>(deck, communicator);
+  auto settings = DeckSettings::from(deck);
+  auto discretisation = discretise<Dim>(deck, settings, communicator);
   auto const& mesh = discretisation.mesh;
-  const int components = discretisation.components();
   auto const solver = makeSolverSettings(deck.sublist("TNNMG"), communicator->getSize(), Dim,
-                                         mesh.num_global_vertices * components);
+                                         mesh.num_global_vertices * discretisation.components());
 
   // 2. The body, its loads, and where its fault lies.
   auto matrices = fem::assemblePatchedBody<Dim>(
     mesh, *discretisation.dofs, discretisation.frames(), discretisation.rock.materials,
     discretisation.rock.branches, discretisation.patches);
-  auto site = makeFaultSite(deck, discretisation, *matrices.stiffness->getCrsGraph());
-  const SetupContext<Dim> context{deck, discretisation, solver, site};
+  auto site = makeFaultSite(deck, settings, discretisation, *matrices.stiffness->getCrsGraph());
+  const SetupContext<Dim> context{deck, settings, discretisation, solver, site};
   auto loaded = makeBody(context, std::move(matrices));
 
   // 3. The fault under the normal stress at the start.
-  auto const& friction = deck.sublist("Friction");
   auto const start = staticStart(context, loaded.body, *loaded.static_load);
-  auto const stress = makeNormalStress(friction, site.nodes, start.pressure, *site.surface);
-  const bool body_presses = components == Dim && !site.surface->otherSide().is_mirrored;
-  auto fault =
-    makeFault(friction, site.nodes, site.surface, fem::makeFaultMesh(mesh, *site.surface),
-              stress.normal_stress, body_presses, site.radiation_damping);
+  auto [fault, warnings_of_stress] = makeFault(context, start.pressure);
 
   // 4. The state at the start.
   auto initial =
     makeInitialState(context, loaded.body, fault,
                      {start.displacement, loaded.traction.at(0), loaded.traction.direction()});
   requireBearable(discretisation, loaded.body, *initial.u);
-  auto const across = reactionSinceStart(discretisation, loaded.body, fault, initial);
+  auto const across = reactionSinceStart(context, loaded.body, initial);
   const bool follows = fault.normalStress().change() != dynamics::NormalStressChange::fixed;
   dynamics::Model model{std::move(loaded.body), std::move(fault), std::move(initial),
                         follows ? across : dynamics::ReactionSinceStart()};
@@ -80,8 +74,9 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
                   ? faultScales(context, model.fault, model.initial,
                                 loaded.traction.largest(discretisation.samples))
                   : FaultScales();
-  auto findings = findingsOf(context, model, loaded.traction, start, stress.warnings);
+  auto findings = findingsOf(context, model, loaded.traction, start, warnings_of_stress);
   return {communicator,
+          std::move(settings),
           std::move(discretisation),
           solver,
           std::move(model),

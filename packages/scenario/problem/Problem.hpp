@@ -5,6 +5,7 @@
 #include "dynamics/initial/Model.hpp"
 #include "fem/bulk/Material.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/problem/DeckSettings.hpp"
 #include "scenario/problem/Discretisation.hpp"
 #include "scenario/problem/FaultScales.hpp"
 #include "scenario/problem/Findings.hpp"
@@ -18,6 +19,7 @@ template <int Dim>
 struct Problem
 {
   RCP<const Communicator> communicator;
+  DeckSettings settings;
   Discretisation<Dim> discretisation;
   dynamics::RateSolverSettings solver;
   dynamics::Model model;

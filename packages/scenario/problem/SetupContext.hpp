@@ -2,6 +2,7 @@
 
 #include "dynamics/coupling/RateSolver.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/problem/DeckSettings.hpp"
 #include "scenario/problem/Discretisation.hpp"
 #include "scenario/problem/FaultSite.hpp"
 
@@ -12,11 +13,16 @@ template <int Dim>
 struct SetupContext
 {
   ParameterList const& deck;
+  DeckSettings const& settings;
   Discretisation<Dim> const& discretisation;
   dynamics::RateSolverSettings const& solver;
   FaultSite const& site;
 
   Communicator const& communicator() const { return *discretisation.dofs->communicator(); }
+  ParameterList const& friction() const { return deck.sublist("Friction"); }
   int components() const { return discretisation.components(); }
+  // Whether motion of the body presses across the fault: neither in antiplane motion nor beside a
+  // mirror image.
+  bool bodyPresses() const { return components() == Dim && !site.surface->otherSide().is_mirrored; }
 };
 } // namespace asperity::scenario

@@ -100,24 +100,24 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
 {
   auto const& discretisation = context.discretisation;
   auto const& surface = *context.site.surface;
-  ParameterList const& friction = context.deck.sublist("Friction");
+  auto const& friction = context.settings.friction;
   // Where friction does not ask for the normal stress, it need not follow from the static solution.
-  const bool stress_given =
-    isGiven(friction, "Normal Stress") || !bearsFriction(friction) || surface.numGlobalNodes() == 0;
-  ASPERITY_REQUIRE(stress_given || discretisation.components() == Dim,
+  const bool stress_given = isGiven(context.friction(), "Normal Stress") ||
+                            !friction.laws.bearsFriction() || surface.numGlobalNodes() == 0;
+  ASPERITY_REQUIRE(stress_given || context.components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own. Give it.");
   ASPERITY_REQUIRE(stress_given || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress is missing: on an antisymmetric fault it "
                    "does not follow from the static solution. Give that of the undisturbed state.");
-  const bool follows = followsAtOnce(friction); // Prakash-Clifton also follows pressure and time
-  ASPERITY_REQUIRE(!follows || discretisation.components() == Dim,
+  const bool follows = friction.followsAtOnce(); // Prakash-Clifton also follows pressure and time
+  ASPERITY_REQUIRE(!follows || context.components() == Dim,
                    "Asperity / Friction / Normal Stress Change = "
-                     << FrictionSettings::from(friction).change
+                     << friction.change
                      << ", but antiplane motion does not press across the fault. Choose Fixed.");
   ASPERITY_REQUIRE(!follows || !surface.otherSide().is_mirrored,
                    "Asperity / Friction / Normal Stress Change = "
-                     << FrictionSettings::from(friction).change
+                     << friction.change
                      << ", but by symmetry the normal stress of an Antisymmetric Fault does not "
                         "change. Choose Fixed.");
   const bool start_static = startsStatic(context.deck.sublist("Initial State"));

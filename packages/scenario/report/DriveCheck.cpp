@@ -38,7 +38,7 @@ double largest(NodalField const& field, double end)
 template <int Dim>
 std::vector<Warning> warnOfDrive(Problem<Dim> const& problem, ParameterList const& deck)
 {
-  const double fastest = fastestDrive(quasiDynamic(deck.sublist("Bulk")));
+  const double fastest = fastestDrive(problem.settings.bulk.isQuasiDynamic());
   const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
   std::vector<Warning> warnings;
   for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {

@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "catalogue/stress/CoulombPlanes.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/constraints/PlaneTangent.hpp"
 #include "mesh/MeshQuality.hpp"
@@ -233,30 +234,25 @@ MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::st
   if (Dim == 2 && problem.components() == 2 && length(tangent) > 0) {
     fault.sides.tangent = scaled(tangent, 1 / length(tangent));
   }
-  auto const& bulk = deck.sublist("Bulk");
-  fault.sides.is_section = problem.components() == 2 && gravityActs(bulk);
+  fault.sides.is_section = problem.components() == 2 && problem.settings.bulk.hasGravity();
   // Without gravity a plane may be a map; then +y counts as up in a section.
   fault.sides.up = fault.sides.is_section ? scaled(problem.discretisation.upright.down, -1)
                    : Dim == 2 && problem.components() == 2 ? Vector3{0, 1, 0}
                                                            : problem.discretisation.upright.up;
-  auto const& output = deck.sublist("Output");
-  if (output.isParameter("East")) {
-    auto const east = output.get<Teuchos::Array<double>>("East");
-    std::copy_n(east.begin(), std::min<std::ptrdiff_t>(3, east.size()), fault.sides.east.begin());
-  }
+  auto const east = catalogue::DirectionEast::from(deck.sublist("Output")).east;
+  std::copy_n(east.begin(), std::min<std::size_t>(3, east.size()), fault.sides.east.begin());
   return fault;
 }
 
-// The rake of what the entry says, if a list, which need not have it, says where it points.
-std::string rakeAlong(FaultSides const& sides, ParameterList const& list, char const* direction,
+// The rake of what the entry says, if a direction says where it points.
+std::string rakeAlong(FaultSides const& sides, std::optional<std::vector<double>> const& direction,
                       char const* entry)
 {
-  if (!list.isParameter(direction)) {
+  if (!direction) {
     return "";
   }
-  auto const given = list.get<Teuchos::Array<double>>(direction);
   Vector3 towards{};
-  std::copy_n(given.begin(), std::min<std::ptrdiff_t>(3, given.size()), towards.begin());
+  std::copy_n(direction->begin(), std::min<std::size_t>(3, direction->size()), towards.begin());
   auto const rake = rakeInWords(sides, towards);
   return rake.empty() ? "" : std::string("; a positive ") + entry + " has " + rake;
 }
@@ -268,11 +264,11 @@ std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
 {
   auto const& given = problem.discretisation.boundary.given_slip;
   if (std::find(given.begin(), given.end(), fault) == given.end()) {
-    return rakeAlong(sides, deck.sublist("Friction"), "Slip Direction", "Shear Traction");
+    return rakeAlong(sides, problem.settings.friction.slip_direction, "Shear Traction");
   }
   for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
     if (condition.boundary == fault && isGiven(condition.list, "Slip Rate")) {
-      return rakeAlong(sides, condition.list, "Direction", "Slip Rate");
+      return rakeAlong(sides, condition.direction, "Slip Rate");
     }
   }
   return "";
@@ -311,9 +307,9 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
 {
   std::vector<std::string> lines;
   auto const& upright = problem.discretisation.upright;
-  if (Dim == 3 || gravityActs(deck.sublist("Bulk"))) {
+  if (Dim == 3 || problem.settings.bulk.hasGravity()) {
     std::string line = "Up is " + directionText(upright.up, Dim) + ", " + upright.reason;
-    if (gravityActs(deck.sublist("Bulk"))) {
+    if (problem.settings.bulk.hasGravity()) {
       line += "; gravity points to " + directionText(upright.down, Dim);
     }
     lines.push_back(line + ".");

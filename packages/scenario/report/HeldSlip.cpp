@@ -106,10 +106,14 @@ HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool>& held,
   end.rate = maxOverRanks(end.rate, communicator);
   return end;
 }
+
+// A condition that holds all directions comes before one in a direction of its own, and that before
+// a wall.
 int holdsMore(BoundaryCondition const& condition)
 {
-  auto const decides = condition.type->decides_on;
-  return decides == DecidesOn::rest ? 2 : condition.type->name == "Prescribed Velocity" ? 1 : 0;
+  auto const& type = *condition.type;
+  const bool has_own_direction = !condition.liesAlongFault() && type.readsEntry("Direction");
+  return type.decides_on == DecidesOn::rest ? 2 : has_own_direction ? 1 : 0;
 }
 } // namespace
 
@@ -150,7 +154,8 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
            "none. Stress grows there as at the tip of a crack. If "
            "the fault shall slip there, choose a Type that leaves motion along the fault free: "
            "Free Surface, or Sliding Wall where the fault lies along that wall; or let a "
-           "boundary of the Type Prescribed Slip Rate continue the fault."});
+           "boundary of the Type " +
+           continuationType().name + " continue the fault."});
     }
   }
 }

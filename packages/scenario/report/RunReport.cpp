@@ -26,8 +26,8 @@ namespace
 {
 // For a generated wedge: what its cell size means, and a warning if gravity is not perpendicular to
 // the surface.
-void describeWedge(ParameterList const& deck, std::array<double, 3> const& downwards,
-                   Description& description)
+void describeWedge(ParameterList const& deck, BulkSettings const& bulk,
+                   std::array<double, 3> const& downwards, Description& description)
 {
   auto const& mesh = deck.sublist("Mesh");
   auto const type = mesh.get<std::string>("Type");
@@ -39,12 +39,10 @@ void describeWedge(ParameterList const& deck, std::array<double, 3> const& downw
     "Cell Size = " + formatShort(wedge.get<double>("Cell Size")) +
     " m is the largest diameter of cells at the seismogenic zone. They are bisected until none is "
     "larger, so that some may be half as large.");
-  auto const& bulk = deck.sublist("Bulk");
   const double slope = wedge.get<double>("Height") / wedge.get<double>("Length");
-  auto const down = isLeftOut(bulk, "Gravity Direction")
-                      ? std::vector<double>(downwards.begin(), downwards.end())
-                      : bulk.get<Teuchos::Array<double>>("Gravity Direction").toVector();
-  if (gravityActs(bulk) &&
+  auto const down =
+    bulk.gravity_direction.value_or(std::vector<double>(downwards.begin(), downwards.end()));
+  if (bulk.hasGravity() &&
       !(std::abs(down[0] + slope * down[1]) <= 1e-6 * std::hypot(down[0], down[1]))) {
     description.warnings.push_back(
       {"direction of gravity",
@@ -115,7 +113,7 @@ void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
   auto const names = mesh.get<Teuchos::Array<std::string>>(entry);
   for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
     auto const& name = condition.boundary;
-    if (condition.type->name == "Prescribed Slip Rate" &&
+    if (condition.type->isContinuation() &&
         std::find(names.begin(), names.end(), name) != names.end() && hasTip(problem, name)) {
       description.warnings.push_back(
         {"flat cells",
@@ -137,20 +135,19 @@ void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Descr
   std::ostringstream first;
   auto const& bulk = deck.sublist("Bulk");
   first << bulk.get<std::string>("Model") << ", "
-        << (quasiDynamic(bulk) ? "quasi-dynamic, " : "inertial, ")
+        << (problem.settings.bulk.isQuasiDynamic() ? "quasi-dynamic, " : "inertial, ")
         << problem.mesh().num_global_vertices << " vertices, "
         << (problem.surface().numGlobalNodes() > 0
               ? std::to_string(problem.surface().numGlobalNodes()) + " of them on the fault '" +
                   problem.surface().name() + "'."
               : "no fault.");
   lines.push_back(first.str());
-  auto const& friction = deck.sublist("Friction");
+  auto const& laws = problem.settings.friction.laws;
+  auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
   lines.push_back(
-    (bearsFriction(friction) ? friction.get<std::string>("Law") + " friction, state evolution: " +
-                                 friction.get<std::string>("State Evolution")
-                             : std::string("No friction")) +
-    ". Time stepping: " + deck.sublist("Time Stepping").get<std::string>("Scheme") + ", " +
-    deck.sublist("Time Stepping").get<std::string>("Control") + ". Linear correction: " +
+    (laws.bearsFriction() ? laws.friction + " friction, state evolution: " + laws.state
+                          : std::string("No friction")) +
+    ". Time stepping: " + time.scheme + ", " + time.control + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
   if (!problem.discretisation.boundary.given_slip.empty()) {
     lines.push_back(
@@ -173,14 +170,14 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   Description description{describeEnvironment(*problem.communicator), problem.findings.warnings};
   describeModel(problem, deck, description);
   description.add(describeSize(problem));
-  describeWedge(deck, problem.discretisation.upright.down, description);
+  describeWedge(deck, problem.settings.bulk, problem.discretisation.upright.down, description);
   description.add(describeSense(problem, deck));
   if (auto const of_shape = warnOfCellShape(problem)) {
     description.warnings.push_back(*of_shape);
   }
   description.add(problem.findings.remarks);
   if (auto const& resolution = problem.scales.resolution) {
-    auto const state_law = deck.sublist("Friction").get<std::string>("State Evolution");
+    auto const& state_law = problem.settings.friction.laws.state;
     description.add(
       describe(*resolution, state_law, deck.sublist("Mesh").get<std::string>("Type")));
     description.add(warnOfResolution(*resolution, state_law));

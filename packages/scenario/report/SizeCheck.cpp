@@ -55,7 +55,7 @@ BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
   size.extent = std::sqrt(square);
   size.crossing_time = -times[0] * size.extent;
   size.cell_time = times[1];
-  size.has_waves = !quasiDynamic(deck.sublist("Bulk"));
+  size.has_waves = !problem.settings.bulk.isQuasiDynamic();
   auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
   size.smallest_step = time.smallest_step.value_or(0);
   size.final_time = time.final_time;

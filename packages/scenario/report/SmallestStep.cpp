@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "dynamics/control/PrescribedSteps.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
@@ -17,10 +18,11 @@ namespace
 {
 constexpr char const* step_name = "Smallest Step";
 
-double defaultStep(dynamics::FaultResolution const& resolution, ParameterList const& deck)
+double defaultStep(dynamics::FaultResolution const& resolution, BulkSettings const& bulk,
+                   ParameterList const& deck)
 {
   const double largest = TimeSettings::from(deck.sublist("Time Stepping")).largest_step;
-  const double seismic = dynamics::seismicStep(resolution, !quasiDynamic(deck.sublist("Bulk")));
+  const double seismic = dynamics::seismicStep(resolution, !bulk.isQuasiDynamic());
   return std::min(seismic, largest / 2);
 }
 
@@ -46,7 +48,7 @@ double defaultWithoutState(Problem<Dim> const& problem, ParameterList const& dec
   auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
   const double largest = time.largest_step;
   const double of_run = share_of_run * std::min(time.final_time, largest);
-  return quasiDynamic(deck.sublist("Bulk"))
+  return problem.settings.bulk.isQuasiDynamic()
            ? of_run
            : std::min({of_run, share_of_crossing * crossingTime(problem), largest / 2});
 }
@@ -65,7 +67,7 @@ double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& dec
                              << " is missing. It has a default only if friction weakens "
                                 "somewhere that can slip and its laws declare a, b and L. "
                                 "Give a step that resolves the fastest slip.");
-  return defaultStep(*problem.scales.resolution, deck);
+  return defaultStep(*problem.scales.resolution, problem.settings.bulk, deck);
 }
 
 // Such rock is a fluid in any step, and its shear modulus a number without effect.
@@ -91,7 +93,7 @@ namespace
 {
 double shortestPrescribed(ParameterList const& time) // [s], 0 if no size is named
 {
-  auto const levels = time.sublist("Prescribed").get<Teuchos::Array<int>>("Levels");
+  auto const levels = dynamics::PrescribedSteps::levelsIn(time.sublist("Prescribed"));
   auto const finest = std::max_element(levels.begin(), levels.end());
   return finest == levels.end() ? 0 : std::ldexp(TimeSettings::from(time).largest_step, -*finest);
 }
@@ -111,7 +113,8 @@ void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck
   if (!resolution) {
     return;
   }
-  const double seismic = resolution->seismic_time, advised = defaultStep(*resolution, deck);
+  const double seismic = resolution->seismic_time,
+               advised = defaultStep(*resolution, problem.settings.bulk, deck);
   if (time.control == "Prescribed") {
     const double shortest = shortestPrescribed(list);
     if (shortest > seismic) {

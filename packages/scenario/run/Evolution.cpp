@@ -17,6 +17,7 @@
 #include "scenario/watches/SkippedTimes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -32,37 +33,56 @@ makeCoupledStep(ParameterList const& deck, Problem<Dim> const& problem,
 {
   auto const& time = deck.sublist("Time Stepping");
   return std::make_unique<dynamics::CoupledStep>(
-    model.body, model.fault, makeRateUpdate(time, !quasiDynamic(deck.sublist("Bulk"))), clock,
+    model.body, model.fault, makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock,
     dynamics::CouplingSettings::from(deck.sublist("Coupling"), stepTolerance(time)), problem.solver,
     memoryBudget(deck.sublist("TNNMG")), model.reaction);
 }
 } // namespace
 
 template <int Dim>
-Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> const& communicator)
-    : communicator_(communicator)
-    , problem_(makeProblem<Dim>(deck, communicator))
+dynamics::DyadicTime clockOf(Problem<Dim> const& problem, ParameterList const& deck)
+{
+  return makeClock(deck.sublist("Time Stepping"), smallestStep(problem, deck));
+}
+
+template dynamics::DyadicTime clockOf(Problem<2> const&, ParameterList const&);
+template dynamics::DyadicTime clockOf(Problem<3> const&, ParameterList const&);
+
+namespace
+{
+// Below which no error of displacement [m] and velocity [m/s] matters. Strainmeters resolve a
+// hundred times that strain; a velocity over c_s, ten times the largest slip rate that is
+// plausible, is a strain, too.
+template <int Dim>
+std::array<double, 2> leastMotion(Problem<Dim> const& problem)
+{
+  constexpr double least_strain = 1e-12;
+  auto const sides = mesh::sidesOfBox<Dim>(problem.mesh().vertices, *problem.communicator);
+  return {least_strain * *std::max_element(sides.begin(), sides.end()),
+          least_strain * 10 * problem.findings.largest_slip_rate};
+}
+} // namespace
+
+template <int Dim>
+Evolution<Dim>::Evolution(Problem<Dim> const& problem, ParameterList const& deck,
+                          Beginning const& beginning)
+    : communicator_(problem.communicator)
+    , problem_(problem)
     , condensation_(makeCondensation(problem_, deck))
     , model_(condensation_ ? condensation_->model() : problem_.model)
-    , clock_(makeClock(deck.sublist("Time Stepping"), smallestStep(problem_, deck)))
+    , clock_(clockOf(problem_, deck))
     , end_(clock_.reaching(TimeSettings::from(deck.sublist("Time Stepping")).final_time))
     , coupled_step_(makeCoupledStep(deck, problem_, model_, clock_))
     , control_(makeStepControl(deck.sublist("Time Stepping"),
                                io::OutputSet::times(deck.sublist("Output")), *coupled_step_,
-                               problem_.scales.waveRate()))
+                               {problem_.scales.waveRate(), model_.initial.u, leastMotion(problem_),
+                                [this](int vertex) { return placeOf(vertex); }}))
     , balance_(model_.body, model_.fault, clock_)
     , state_(model_.initial.clone())
     , sample_(model_.fault.surface(), *model_.initial.u)
     , floor_count_(model_.fault)
     , watches_(makeWatches(deck))
 {
-  // Strainmeters resolve a hundred times that; a velocity over c_s, ten times the largest slip rate
-  // that is plausible, is a strain, too.
-  constexpr double least_strain = 1e-12;
-  auto const sides = mesh::sidesOfBox<Dim>(problem_.mesh().vertices, *communicator_);
-  control_->setStart(model_.initial.u, least_strain * *std::max_element(sides.begin(), sides.end()),
-                     least_strain * 10 * problem_.findings.largest_slip_rate);
-  control_->setPlaces([this](int vertex) { return placeOf(vertex); });
   view_.state = &state_;
   view_.fault = &sample_;
   if (condensation_) {
@@ -71,6 +91,15 @@ Evolution<Dim>::Evolution(ParameterList const& deck, RCP<const Communicator> con
   }
   view_.floor_count = &floor_count_;
   view_.balance = &balance_;
+  if (beginning.from == Beginning::From::checkpoint) {
+    restore(beginning.archive);
+    return;
+  }
+  if (beginning.from == Beginning::From::other_run) {
+    state_ =
+      StateFormat(problem_.model, condensation_.get(), clock_).load(beginning.archive, "state");
+  }
+  beginBalance();
 }
 
 template <int Dim>
@@ -80,7 +109,8 @@ dynamics::Watches Evolution<Dim>::makeWatches(ParameterList const& deck) const
     condensation_ ? condensation_->reactionFrom(problem_.across) : problem_.across;
   auto const places = placesOfLoads(problem_);
   auto const& scales = problem_.scales;
-  return dynamics::Watches({model_.body, model_.fault, across, deck,
+  return dynamics::Watches(deck.sublist("Time Stepping"),
+                           {model_.body, model_.fault, across, deck,
                             stepTolerance(deck.sublist("Time Stepping")), control_->adapts(),
                             scales.zone, scales.weakening, scales.slipDistance(), scales.slowRate(),
                             problem_.findings.largest_slip_rate, places});
@@ -118,19 +148,6 @@ void Evolution<Dim>::beginBalance()
          "in the first step, and the jump sets off waves. Check the signs of Friction / Shear "
          "Traction and of the velocity or slip rate under Initial State."});
   }
-}
-
-template <int Dim>
-void Evolution<Dim>::start()
-{
-  beginBalance();
-}
-
-template <int Dim>
-void Evolution<Dim>::startFrom(Archive const& state)
-{
-  state_ = StateFormat(problem_.model, condensation_.get(), clock_).load(state, "state");
-  start();
 }
 
 template <int Dim>

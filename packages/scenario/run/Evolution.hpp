@@ -19,26 +19,39 @@
 
 namespace asperity::scenario
 {
+// From which state time stepping begins.
+struct Beginning
+{
+  enum class From
+  {
+    deck,
+    other_run,  // archive: of stateOfOtherRun
+    checkpoint, // archive: of Checkpoints::read
+  };
+  From from = From::deck;
+  Archive archive = {};
+};
+
+// The clock of the deck's time stepping.
+template <int Dim>
+dynamics::DyadicTime clockOf(Problem<Dim> const& problem, ParameterList const& deck);
+
 // The time stepping of a problem: its state, its steps, and the sums of energy, effort and nodes on
 // the floor of the normal stress.
 template <int Dim>
 class Evolution
 {
 public:
-  // `deck` must be complete. Throws SolveError if the state at the start cannot be computed.
-  // Collective, as all that follows.
-  Evolution(ParameterList const& deck, RCP<const Communicator> const& communicator);
+  // The problem is that of the deck, and must outlive this. Collective, as all that follows.
+  Evolution(Problem<Dim> const& problem, ParameterList const& deck, Beginning const& beginning);
+  Evolution(Evolution const&) = delete; // the view refers to members
+  Evolution& operator=(Evolution const&) = delete;
 
   Problem<Dim> const& problem() const { return problem_; }
   dynamics::DyadicTime const& clock() const { return clock_; }
   RunView const& view() const { return view_; } // lives as long as this
   int numEliminated() const; // unknowns eliminated; 0 unless the body is condensed
 
-  // Begins, before all that follows: from the deck's initial state, from a state of another run
-  // (`state` of stateOfOtherRun), or from a checkpoint.
-  void start();
-  void startFrom(Archive const& state);
-  void restore(Archive const& checkpoint);
   void save(Archive& checkpoint) const;
 
   // Makes a step. Throws SolveError if even the smallest one fails; the state stays what it was.
@@ -60,13 +73,14 @@ public:
   RunSummary summary() const; // without `finished` and `directory`
 
 private:
+  void restore(Archive const& checkpoint);
   std::string placeOf(int vertex) const;
   void requireFinite() const;
   void beginBalance();
   dynamics::Watches makeWatches(ParameterList const& deck) const;
 
   RCP<const Communicator> communicator_;
-  Problem<Dim> problem_;
+  Problem<Dim> const& problem_;
   std::unique_ptr<dynamics::StaticCondensation> condensation_;
   dynamics::Model const& model_; // the problem, or what it is condensed to
   dynamics::DyadicTime clock_;

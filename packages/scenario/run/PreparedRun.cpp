@@ -19,6 +19,24 @@ std::filesystem::path directoryOfResults(CommandLine const& command_line)
   }
   return std::filesystem::path("results") / std::filesystem::path(command_line.deck).stem();
 }
+
+template <int Dim>
+Beginning beginningOf(CommandLine const& command_line, Problem<Dim> const& problem,
+                      Domains const& domains, ParameterList const& deck,
+                      Checkpoints const& checkpoints)
+{
+  if (!command_line.restart.empty()) {
+    return {Beginning::From::checkpoint,
+            checkpoints.read(command_line.restart, nodeSets(problem, domains))};
+  }
+  if (!command_line.restart_from.empty()) {
+    return {Beginning::From::other_run,
+            stateOfOtherRun(command_line.restart_from, problem, domains, deck,
+                            clockOf(problem, deck),
+                            TimeSettings::from(deck.sublist("Time Stepping")).final_time)};
+  }
+  return {};
+}
 } // namespace
 
 template <int Dim>
@@ -27,32 +45,27 @@ PreparedRun<Dim>::PreparedRun(RCP<ParameterList> const& deck_, CommandLine const
     : deck(deck_)
     , communicator(communicator_)
     , directory(directoryOfResults(command_line))
-    , evolution(*deck, communicator)
-    , domains(makeDomains(evolution.problem()))
+    , problem(makeProblem<Dim>(*deck, communicator))
+    , domains(makeDomains(problem))
+    , checkpoints(directory, deck->sublist("Output"), command_line.plugins,
+                  fingerprint(completeDirections(*deck, Dim, problem.discretisation.upright),
+                              problem.mesh(), *communicator),
+                  communicator)
+    , beginning(beginningOf(command_line, problem, domains, *deck, checkpoints))
+    , evolution(problem, *deck, beginning)
     , unread(warnOfUnreadEntries(command_line, *deck))
-    , checkpoints(
-        directory, deck->sublist("Output"), command_line.plugins,
-        fingerprint(completeDirections(*deck, Dim, evolution.problem().discretisation.upright),
-                    evolution.problem().mesh(), *communicator),
-        communicator)
 {
-  auto const& problem = evolution.problem();
   auto const& output = deck->sublist("Output");
   registerFields(registry, problem, evolution.view(), domains, *deck);
   outputs = std::make_unique<io::OutputSet>(
     output, io::OutputContext{
               directory, communicator, registry, domains, {0, 1, 0}, evolution.finalTime()});
-  if (!command_line.restart_from.empty()) {
-    state_of_other_run =
-      stateOfOtherRun(command_line.restart_from, problem, domains, *deck, evolution.clock(),
-                      TimeSettings::from(deck->sublist("Time Stepping")).final_time);
-  }
 }
 
 template <int Dim>
 Description PreparedRun<Dim>::description() const
 {
-  auto result = describe(evolution.problem(), *deck);
+  auto result = describe(problem, *deck);
   if (unread) {
     result.warnings.push_back(*unread);
   }
@@ -62,7 +75,7 @@ Description PreparedRun<Dim>::description() const
   }
   if (auto const warning = catalogue::warnOfReceiversOnFault(
         deck->sublist("Output").sublist("Receivers"), domains.at("volume"), fault->second,
-        evolution.problem().mesh().splits)) {
+        problem.mesh().splits)) {
     result.warnings.push_back(*warning);
   }
   return result;

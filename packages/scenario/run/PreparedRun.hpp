@@ -20,7 +20,8 @@ template <int Dim>
 struct PreparedRun
 {
   // `deck` must be complete; entries that follow from the mesh are set in it. Throws SolveError if
-  // the state at the start cannot be computed. Collective.
+  // the state at the start cannot be computed. Reads the checkpoint of a restart, and refuses that
+  // of another deck. Collective.
   PreparedRun(RCP<ParameterList> const& deck, CommandLine const& command_line,
               RCP<const Communicator> const& communicator);
   PreparedRun(PreparedRun const&) = delete; // outputs refer to the evolution
@@ -32,12 +33,13 @@ struct PreparedRun
   RCP<ParameterList> deck;
   RCP<const Communicator> communicator;
   std::filesystem::path directory; // of the results
-  Evolution<Dim> evolution;
+  Problem<Dim> problem;
   Domains domains;
+  Checkpoints checkpoints;
+  Beginning beginning; // its archive is not needed any more once the run has begun
+  Evolution<Dim> evolution;
   io::FieldRegistry registry;
   std::unique_ptr<io::OutputSet> outputs;
   std::optional<Warning> unread; // entries of the deck
-  Checkpoints checkpoints;
-  Archive state_of_other_run; // with --restart-from
 };
 } // namespace asperity::scenario

@@ -23,15 +23,14 @@ io::ExistingResult existingResult(CommandLine const& command_line)
   return command_line.overwrite ? io::ExistingResult::overwrite : io::ExistingResult::refuse;
 }
 
-// Takes the directory; the outputs of a restart go on from `start`.
+// Takes the directory; the outputs of a restart go on from the checkpoint.
 template <int Dim>
-io::DirectoryLock takeDirectory(PreparedRun<Dim>& prepared, CommandLine const& command_line,
-                                Archive const& start)
+io::DirectoryLock takeDirectory(PreparedRun<Dim>& prepared, CommandLine const& command_line)
 {
   auto lock = io::prepareOutputDirectory(prepared.directory, existingResult(command_line),
                                          *prepared.communicator);
   if (!command_line.restart.empty()) {
-    prepared.outputs->restore(start.child("outputs"));
+    prepared.outputs->restore(prepared.beginning.archive.child("outputs"));
   }
   return lock;
 }
@@ -45,10 +44,7 @@ Simulation<Dim>::Simulation(PreparedRun<Dim>& prepared, CommandLine const& comma
     , meeting_point_(*prepared.communicator)
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
-    , start_(restart_.empty() ? std::move(prepared.state_of_other_run)
-                              : prepared.checkpoints.read(
-                                  restart_, nodeSets(evolution_.problem(), prepared.domains)))
-    , lock_(takeDirectory(prepared, command_line, start_))
+    , lock_(takeDirectory(prepared, command_line))
     , record_(prepared.directory, !restart_.empty(), *prepared.communicator)
 {
   if (prepared.communicator->getRank() == 0) {
@@ -200,18 +196,15 @@ template <int Dim>
 void Simulation<Dim>::begin()
 {
   const auto at = [this] { return " at t = " + formatShort(evolution_.time()) + " s."; };
+  auto& start = prepared_.beginning.archive;
   if (!restart_.empty()) {
-    evolution_.restore(start_);
     record_.at(evolution_.numSteps(), evolution_.time());
-    record_.restore(start_);
+    record_.restore(start);
     record_.message("Restarted from " + restart_ + at());
   } else {
     if (!restart_from_.empty()) {
-      evolution_.startFrom(start_);
       record_.message("A new run from the state of " + restart_from_ + at());
-      record_.inherit(start_);
-    } else {
-      evolution_.start();
+      record_.inherit(start);
     }
     outputs_.write(evolution_.stepInfo());
   }
@@ -230,7 +223,7 @@ void Simulation<Dim>::begin()
   if (auto const& rows = evolution_.view().recovery_rows; rows && !rows->report().empty()) {
     record_.message(rows->report());
   }
-  start_ = {};
+  start = {};
 }
 
 template <int Dim>

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "base/Archive.hpp"
 #include "base/parallel/MeetingPoint.hpp"
 #include "base/program/Signals.hpp"
 #include "io/files/OutputDirectory.hpp"
@@ -17,9 +16,8 @@ template <int Dim>
 class Simulation
 {
 public:
-  // Reads the checkpoint of a restart, takes the directory and begins its log. A checkpoint of
-  // another deck is refused before any file is touched. Outputs that cannot be continued are
-  // refused before the log and the parameters are touched; other tables may have been cut back to
+  // Takes the directory and begins its log. Outputs that cannot be continued are refused before the
+  // log and the parameters are touched; other tables may have been cut back to
   // the checkpoint by then, as any restart does. `prepared` must outlive this. Collective.
   Simulation(PreparedRun<Dim>& prepared, CommandLine const& command_line);
 
@@ -47,7 +45,6 @@ private:
   io::OutputSet& outputs_;    // of prepared_
   MeetingPoint meeting_point_;
   std::string restart_, restart_from_;
-  Archive start_;          // of a restart, or the state of another run, until it begins
   io::DirectoryLock lock_; // on rank 0
   io::RunRecord record_;
   bool step_is_complete_ = false; // counted in the energy balance and written to the outputs

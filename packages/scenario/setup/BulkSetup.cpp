@@ -11,7 +11,6 @@
 #include "scenario/setup/ParameterTable.hpp"
 #include "scenario/setup/StressAtStart.hpp"
 #include "scenario/setup/Upright.hpp"
-#include "scenario/setup/VolumetricSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,22 +22,27 @@ namespace asperity::scenario
 namespace
 {
 constexpr char const* radiation_damping = "Radiation Damping";
-constexpr char const* acceleration_entry = "Gravitational Acceleration";
+constexpr char const* quasi_dynamic = "Quasi-dynamic";
+constexpr char const* direction_entry = "Gravity Direction";
+
+// The words of `Model` and the components of the displacement.
+Entries<BulkSettings>::Words<int> models()
+{
+  return {{"Plane Strain", 2}, {"Antiplane", 1}, {"Solid", 3}};
+}
 
 RCP<const ParameterList> lawsOfRegions()
 {
-  Declare one;
-  declareChoice(one, bulk_entries::law, required, fem::bulkLaws(),
-                "Selects the law of the rock in the region.");
   return Declare()
-    .sublist("<region>", one.list(), "Names a region of the mesh and gives the law of its rock.")
+    .sublist("<region>", LawOfRegion::entries().list(),
+             "Names a region of the mesh and gives the law of its rock.")
     .list();
 }
-} // namespace
 
-RCP<const ParameterList> bulkParameters()
+Entries<BulkSettings> bulkEntries()
 {
-  auto const quasi_dynamic =
+  using S = BulkSettings;
+  auto const of_damping =
     Declare()
       .field(
         radiation_damping, optional, "Pa s/m", Range::atLeast(0),
@@ -46,17 +50,18 @@ RCP<const ParameterList> bulkParameters()
         "eta is G / (2 cs) on an antisymmetric fault and G / cs in bilateral contact; between two "
         "bodies it is Z1 Z2 / (Z1 + Z2) with their impedances Z = G / cs.")
       .list();
-  Declare declare;
-  declare
-    .choice("Model", "Plane Strain", {"Plane Strain", "Antiplane", "Solid"},
+  Entries<S> entries;
+  entries
+    .choice("Model", &S::components, models(),
             "Selects the components of the displacement. Plane Strain: it lies in the plane of the "
             "mesh. Antiplane: it is perpendicular to that plane. Solid: it has all three "
             "components on a mesh in space.")
-    .choiceOfLists("Dynamics", "Inertial",
-                   {{"Inertial", Declare().list()}, {"Quasi-dynamic", quasi_dynamic}},
+    .choiceOfLists("Dynamics", &S::dynamics,
+                   {{"Inertial", Declare().list()}, {quasi_dynamic, of_damping}},
                    "Selects whether the body has inertia. Inertial: it has mass, and waves travel "
                    "through it. Quasi-dynamic: it has no mass, and a radiation damping takes from "
                    "the fault the energy that waves would carry away.")
+    .others()
     .field("Density", required, "kg/m^3", Range::positive(), "The material has this mass density.")
     .field(bulk_entries::bulk_modulus, optional, "Pa", Range::positive(),
            "The material has this bulk modulus. Plane strain and solids need exactly two of bulk "
@@ -65,68 +70,88 @@ RCP<const ParameterList> bulkParameters()
            "The material has this shear modulus. Antiplane models need either this alone or two of "
            "the three moduli.")
     .field(bulk_entries::poissons_ratio, optional, "-", Range::open(-1, 0.5),
-           "The material has this Poisson's ratio.")
-    .real(acceleration_entry, 0., "m/s^2", Range::atLeast(0),
+           "The material has this Poisson's ratio.");
+  entries
+    .real("Gravitational Acceleration", &S::gravity, "m/s^2", Range::atLeast(0),
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")
-    .realArray("Gravity Direction", optional, "-", Range::any(),
+    .realArray(direction_entry, &S::gravity_direction, optional, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect. If it is left out, gravity points down: "
                "against Output / Up or, without that, against the axis that is nearest to the "
                "outward normal of the Free Surface or, in space, of what nothing holds; else along "
-               "-y.");
-  declareVolumetricStrain(declare);
-  declareChoice(
-    declare, bulk_entries::law, "Kelvin-Voigt", fem::bulkLaws(),
-    "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
-    "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
-    "Burgers: it has a transient part of the strain, too. Power Law: it flows faster than "
-    "in proportion to stress. Von Mises: it yields at a shear stress. Drucker-Prager: it "
-    "yields at a shear stress that grows with pressure.");
-  declare.openSublist(bulk_entries::regions, lawsOfRegions(),
-                      "Each entry is a region of the mesh whose rock has a law of its own, with "
-                      "its parameters; the law above holds in the others.");
-  declare.sublist(
-    StressAtStart::list_name, StressAtStart::validParameters(),
-    "Rock that yields or has a power law has this stress at the start, positive in "
-    "tension, beside that of its displacement. It has to be in equilibrium by itself, "
-    "with the initial tractions on the fault. An antiplane model takes XZ, YZ and "
-    "the mean of XX, YY and ZZ; it has no effect on other rock.");
-  return declare.list();
+               "-y.")
+    .choice(
+      "Volumetric Strain", &S::volumetric_strain,
+      {{"Auto", VolumetricStrain::automatic},
+       {"Cell", VolumetricStrain::of_cell},
+       {"Patch", VolumetricStrain::of_patch}},
+      "Selects which volumetric strain gives the mean stress of a cell. Auto: what rock of a "
+      "Poisson's ratio up to 0.3 bears follows from the strain of the cell, what nearly "
+      "incompressible rock bears beyond it from the mean over a patch of cells around a vertex, so "
+      "that cells do not lock. Cell: all follows from the cell. Patch: all follows from the patch, "
+      "in rock of any Poisson's ratio; softer, and steps take about 3 times as long in space. It "
+      "has no effect in antiplane models, and in rock that yields or has a power law.");
+  addLaws(entries, bulk_entries::law, &S::law, fem::bulkLaws(),
+          "Selects the law of the rock: how it creeps or flows. Kelvin-Voigt: it damps "
+          "waves; without viscosity it is elastic. Maxwell: its shear stress relaxes. "
+          "Burgers: it has a transient part of the strain, too. Power Law: it flows faster than "
+          "in proportion to stress. Von Mises: it yields at a shear stress. Drucker-Prager: it "
+          "yields at a shear stress that grows with pressure.");
+  entries.others()
+    .openSublist(bulk_entries::regions, lawsOfRegions(),
+                 "Each entry is a region of the mesh whose rock has a law of its own, with "
+                 "its parameters; the law above holds in the others.")
+    .sublist(StressAtStart::list_name, StressAtStart::validParameters(),
+             "Rock that yields or has a power law has this stress at the start, positive in "
+             "tension, beside that of its displacement. It has to be in equilibrium by itself, "
+             "with the initial tractions on the fault. An antiplane model takes XZ, YZ and "
+             "the mean of XX, YY and ZZ; it has no effect on other rock.");
+  return entries;
+}
+} // namespace
+
+RCP<const ParameterList> bulkParameters() { return bulkEntries().list(); }
+
+BulkSettings BulkSettings::from(ParameterList const& list)
+{
+  auto settings = bulkEntries().read(list, bulk_path);
+  if (isLeftOut(list, direction_entry)) {
+    settings.gravity_direction.reset();
+  }
+  return settings;
 }
 
-int displacementComponents(ParameterList const& list)
+bool BulkSettings::isQuasiDynamic() const { return dynamics == quasi_dynamic; }
+
+Entries<LawOfRegion> LawOfRegion::entries()
 {
-  auto const model = list.get<std::string>("Model");
-  return model == "Antiplane" ? 1 : model == "Plane Strain" ? 2 : 3;
+  Entries<LawOfRegion> entries;
+  addLaws(entries, bulk_entries::law, &LawOfRegion::law, required, fem::bulkLaws(),
+          "Selects the law of the rock in the region.");
+  return entries;
 }
 
-int displacementComponents(ParameterList const& list, int dimension)
+void requireDimension(BulkSettings const& bulk, int dimension)
 {
-  const int components = displacementComponents(list);
-  ASPERITY_REQUIRE((components == 3) == (dimension == 3),
-                   bulk_path << " / Model = " << list.get<std::string>("Model")
-                             << ", but the mesh has " << dimension << " dimensions. Choose "
+  auto const all = models();
+  auto const model = std::find_if(all.begin(), all.end(),
+                                  [&](auto const& each) { return each.second == bulk.components; });
+  ASPERITY_REQUIRE((bulk.components == 3) == (dimension == 3),
+                   bulk_path << " / Model = " << model->first << ", but the mesh has " << dimension
+                             << " dimensions. Choose "
                              << (dimension == 3 ? "Solid." : "Plane Strain or Antiplane."));
-  return components;
 }
 
-bool quasiDynamic(ParameterList const& list)
-{
-  return list.get<std::string>("Dynamics") == "Quasi-dynamic";
-}
-
-bool gravityActs(ParameterList const& list) { return list.get<double>(acceleration_entry) > 0; }
-
-std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,
-                                     fem::OtherSide const& other_side,
+std::vector<double> radiationDamping(BulkSettings const& bulk, ParameterList const& list,
+                                     FieldNodes const& nodes, fem::OtherSide const& other_side,
                                      std::vector<fem::Material> const& at_nodes)
 {
-  if (!quasiDynamic(list)) {
+  if (!bulk.isQuasiDynamic()) {
     return std::vector<double>(at_nodes.size(), 0.);
   }
-  auto const& chosen = list.sublist("Quasi-dynamic");
+  auto const& chosen = list.sublist(quasi_dynamic);
   if (isGiven(chosen, radiation_damping)) {
-    return nodalValues(chosen, radiation_damping, bulk_path + " / Quasi-dynamic", nodes);
+    return nodalValues(chosen, radiation_damping, joinPath(bulk_path, quasi_dynamic), nodes);
   }
   std::vector<double> eta;
   eta.reserve(at_nodes.size());
@@ -138,19 +163,18 @@ std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const
 }
 
 template <int Dim>
-std::array<double, Dim> gravity(ParameterList const& list, std::array<double, 3> const& down)
+std::array<double, Dim> gravity(BulkSettings const& bulk, std::array<double, 3> const& down)
 {
-  const double acceleration = list.get<double>(acceleration_entry);
+  const double acceleration = bulk.gravity;
   std::array<double, Dim> result{};
   if (acceleration == 0) {
     return result;
   }
-  ASPERITY_REQUIRE(displacementComponents(list) > 1,
-                   bulk_path << " / Gravitational Acceleration = " << acceleration
-                             << " does nothing to an antiplane model. Leave it out.");
-  auto const direction = isLeftOut(list, "Gravity Direction")
-                           ? Teuchos::Array<double>(down.begin(), down.begin() + Dim)
-                           : list.get<Teuchos::Array<double>>("Gravity Direction");
+  ASPERITY_REQUIRE(bulk.components > 1, bulk_path
+                                          << " / Gravitational Acceleration = " << acceleration
+                                          << " does nothing to an antiplane model. Leave it out.");
+  const Teuchos::Array<double> direction =
+    bulk.gravity_direction.value_or(std::vector<double>(down.begin(), down.begin() + Dim));
   double square = 0;
   for (double component : direction) {
     square += component * component;
@@ -165,6 +189,6 @@ std::array<double, Dim> gravity(ParameterList const& list, std::array<double, 3>
   return result;
 }
 
-template std::array<double, 2> gravity<2>(ParameterList const&, std::array<double, 3> const&);
-template std::array<double, 3> gravity<3>(ParameterList const&, std::array<double, 3> const&);
+template std::array<double, 2> gravity<2>(BulkSettings const&, std::array<double, 3> const&);
+template std::array<double, 3> gravity<3>(BulkSettings const&, std::array<double, 3> const&);
 } // namespace asperity::scenario

@@ -2,9 +2,12 @@
 
 #include "fem/OtherSide.hpp"
 #include "fem/bulk/Material.hpp"
+#include "parameters/Entries.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <array>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace asperity::scenario
@@ -12,27 +15,51 @@ namespace asperity::scenario
 // The deck's list `Bulk`.
 RCP<const ParameterList> bulkParameters();
 
-// Displacement components of the chosen model: 1 antiplane, 2 in plane strain, 3 of a solid.
-int displacementComponents(ParameterList const& list);
+// Which volumetric strain gives the mean stress of a cell: that of the cell, the mean over a patch,
+// or each in part.
+enum class VolumetricStrain
+{
+  automatic,
+  of_cell,
+  of_patch
+};
 
-// The same, but throws InputError unless the model fits a mesh of this dimension.
-int displacementComponents(ParameterList const& list, int dimension);
+// Its own entries: neither fields nor parameters of laws.
+struct BulkSettings
+{
+  int components = 2; // of the displacement: 1 antiplane, 2 in plane strain, 3 of a solid
+  std::string dynamics = "Inertial";
+  double gravity = 0;                                   // [m/s^2]
+  std::optional<std::vector<double>> gravity_direction; // of any length; empty if it is left out
+  VolumetricStrain volumetric_strain = VolumetricStrain::automatic;
+  std::string law = "Kelvin-Voigt";
 
-// Whether the body has no mass, and its fault has radiation damping instead.
-bool quasiDynamic(ParameterList const& list);
+  static BulkSettings from(ParameterList const& list);
 
-// Whether gravity acts on the body.
-bool gravityActs(ParameterList const& list);
+  // Whether the body has no mass, and its fault has radiation damping instead.
+  bool isQuasiDynamic() const;
+  bool hasGravity() const { return gravity > 0; }
+};
+
+// A list of `Regions`, beside the parameters of the law.
+struct LawOfRegion
+{
+  std::string law;
+  static Entries<LawOfRegion> entries();
+};
+
+// Throws InputError unless the model fits a mesh of this dimension.
+void requireDimension(BulkSettings const& bulk, int dimension);
 
 // The radiation damping eta [Pa s/m] at the nodes of a fault, traction per slip rate; zero unless
 // quasi-dynamic. The default follows from the materials at_nodes(num_nodes) and the other side.
-std::vector<double> radiationDamping(ParameterList const& list, FieldNodes const& nodes,
-                                     fem::OtherSide const& other_side,
+std::vector<double> radiationDamping(BulkSettings const& bulk, ParameterList const& list,
+                                     FieldNodes const& nodes, fem::OtherSide const& other_side,
                                      std::vector<fem::Material> const& at_nodes);
 
 // The gravitational acceleration along the axes [m/s^2]; zero without gravity. down: its direction
-// if the list gives none.
+// if the deck gives none.
 template <int Dim>
-std::array<double, Dim> gravity(ParameterList const& list,
+std::array<double, Dim> gravity(BulkSettings const& bulk,
                                 std::array<double, 3> const& down = {0, -1, 0});
 } // namespace asperity::scenario

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
-#include "parameters/Parameters.hpp"
+#include "parameters/Entries.hpp"
 #include "portability/Parameter.hpp"
 #include "portability/Registry.hpp"
 
@@ -16,25 +16,42 @@ using ParameterTable = std::vector<Parameter>;
 // A field for each row of the table.
 Declare declareTable(ParameterTable const& table);
 
-// The entry `name`, which chooses a law of the registry, and for every law its table and what
-// more(law, declare) adds.
-template <class Law, class More>
-void declareChoice(Declare& declare, std::string const& name, DefaultOr<std::string> const& usual,
-                   Registry<Law> const& laws, std::string const& meaning, More const& more)
+namespace detail
 {
-  declare.choice(name, usual, laws.names(), meaning)
-    .hint("Laws of your own need --plugin LIBRARY.");
+template <class Law, class More>
+void addTables(Declare& declare, std::string const& choice, Registry<Law> const& laws,
+               More const& more)
+{
+  declare.hint("Laws of your own need --plugin LIBRARY.");
   for (auto const& law : laws.names()) {
     auto entries = declareTable(laws.at(law).parameters);
     more(laws.at(law), entries);
-    declare.entriesWith(name, law, entries.list());
+    declare.entriesWith(choice, law, entries.list());
   }
 }
+} // namespace detail
 
-template <class Law>
-void declareChoice(Declare& declare, std::string const& name, DefaultOr<std::string> const& usual,
-                   Registry<Law> const& laws, std::string const& meaning)
+// Adds the entry `name`, which chooses a law of the registry, and for every law its table and what
+// more(law, declare) adds. The member is the name of the law; `required` before the registry says
+// that the deck has to give it.
+template <class Settings, class Member, class Law, class More>
+void addLaws(Entries<Settings>& entries, std::string const& name, Member member,
+             Registry<Law> const& laws, std::string const& meaning, More const& more)
 {
-  declareChoice(declare, name, usual, laws, meaning, [](Law const&, Declare&) {});
+  entries.choiceOfWords(name, member, laws.names(), meaning);
+  detail::addTables(entries.others(), name, laws, more);
+}
+template <class Settings, class Member, class Law>
+void addLaws(Entries<Settings>& entries, std::string const& name, Member member,
+             Registry<Law> const& laws, std::string const& meaning)
+{
+  addLaws(entries, name, member, laws, meaning, [](Law const&, Declare&) {});
+}
+template <class Settings, class Member, class Law>
+void addLaws(Entries<Settings>& entries, std::string const& name, Member member, Required,
+             Registry<Law> const& laws, std::string const& meaning)
+{
+  entries.choiceOfWords(name, member, required, laws.names(), meaning);
+  detail::addTables(entries.others(), name, laws, [](Law const&, Declare&) {});
 }
 } // namespace asperity::scenario

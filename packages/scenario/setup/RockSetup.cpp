@@ -29,7 +29,7 @@ public:
       : bulk_(fieldOf(list, bulk_entries::bulk_modulus, region_names))
       , shear_(fieldOf(list, bulk_entries::shear_modulus, region_names))
       , poisson_(fieldOf(list, bulk_entries::poissons_ratio, region_names))
-      , antiplane_(displacementComponents(list) == 1)
+      , antiplane_(BulkSettings::from(list).components == 1)
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
     const bool enough = given == 2 || (antiplane_ && shear_ && given == 1);
@@ -123,10 +123,10 @@ branchesOf(std::vector<std::vector<fem::RelaxingShare>> const& of_cells,
 class LawOfRock
 {
 public:
-  // used: the regions that have this law.
-  LawOfRock(ParameterList const& list, std::string const& path,
+  // list: has the parameters of the law. used: the regions that have this law.
+  LawOfRock(std::string const& name, ParameterList const& list, std::string const& path,
             std::vector<std::string> const& region_names, std::vector<bool> const& used)
-      : law_(fem::bulkLaws().at(list.get<std::string>(bulk_entries::law)))
+      : law_(fem::bulkLaws().at(name))
   {
     for (auto const& parameter : law_.parameters) {
       fields_.emplace_back(steadyField(list, parameter.name, path, region_names, used));
@@ -214,7 +214,7 @@ std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Di
     refuseStressAtStart(list);
     return std::nullopt;
   }
-  const int components = displacementComponents(list);
+  const int components = BulkSettings::from(list).components;
   StressAtStart stress(list.sublist(StressAtStart::list_name), mesh.region_names);
   onEveryRank(communicator, [&] {
     stress.read(mesh);
@@ -241,9 +241,12 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
     std::vector<bool> used(regions.size(), false);
     used[region] = true;
     of_main_law[region] = false;
-    own.emplace(region, LawOfRock(own_laws.sublist(name), path, regions, used));
+    auto const& own_list = own_laws.sublist(name);
+    own.emplace(region, LawOfRock(LawOfRegion::entries().read(own_list, path).law, own_list, path,
+                                  regions, used));
   }
-  std::vector<LawOfRock> laws(regions.size(), LawOfRock(list, bulk_path, regions, of_main_law));
+  std::vector<LawOfRock> laws(
+    regions.size(), LawOfRock(BulkSettings::from(list).law, list, bulk_path, regions, of_main_law));
   for (auto const& [region, law] : own) {
     laws[region] = law;
   }

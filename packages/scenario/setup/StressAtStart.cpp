@@ -148,7 +148,7 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
   }
   // An antiplane model takes the mean of the diagonal alone, which need not be the normal stress.
   const bool with_normal =
-    isGiven(friction, "Normal Stress") && displacementComponents(deck.sublist("Bulk")) > 1 &&
+    isGiven(friction, "Normal Stress") && BulkSettings::from(deck.sublist("Bulk")).components > 1 &&
     std::any_of(diagonal.begin(), diagonal.end(),
                 [&list](int k) { return isGiven(list, component_names[k]); });
   auto const& communicator = *surface.communicator();

@@ -1,8 +1,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 
 #include "dynamics/control/StepControlKind.hpp"
-#include "dynamics/watches/GrowthWatch.hpp"
-#include "dynamics/watches/StallWatch.hpp"
+#include "dynamics/watches/Watch.hpp"
 #include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 
@@ -72,6 +71,23 @@ Entries<GeneralisedAlpha> generalisedAlphaEntries()
     "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.");
 }
 
+void addEntriesOfWatches(Declare& declare)
+{
+  auto& list = *declare.list();
+  auto const& watches = dynamics::WatchRegistry::instance();
+  for (auto const& name : watches.names()) {
+    auto const added = watches.at(name).validParameters();
+    for (auto const& item : *added) {
+      auto const& entry = item.first;
+      ASPERITY_REQUIRE(!list.isParameter(entry),
+                       joinPath(time_path, entry)
+                         << " exists already; the watch '" << name
+                         << "' of a plugin adds it again. Give it another name there.");
+      list.setEntry(entry, item.second);
+    }
+  }
+}
+
 Entries<TimeSettings> timeEntries()
 {
   using S = TimeSettings;
@@ -97,19 +113,8 @@ Entries<TimeSettings> timeEntries()
        {"Backward Euler", Declare().list()},
        {"Generalised Alpha", generalisedAlphaEntries().list()}},
       "Selects the scheme by which displacement and acceleration follow from the velocity. Newmark "
-      "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.")
-    .others() // read by the watches
-    .integer(dynamics::StallWatch::limit, 10000, Range::atLeast(0),
-             "The run ends with an error after this number of steps in a row that even at the "
-             "smallest size did not meet the tolerance; 0 means that there is no limit. A restart "
-             "continues the count unless Smallest Step is smaller.")
-    .integer(dynamics::GrowthWatch::limit, 10, Range::atLeast(0),
-             "The run ends with an error after this number of steps that hide a growing slip rate: "
-             "the peak slip rate has more than doubled, and the fault slips in that step by more "
-             "than a tenth of L if the step does not meet the tolerance even at the smallest size, "
-             "by more than L if it meets it. The two kinds are counted apart, and a restart "
-             "continues the counts: the first begins again with a smaller Smallest Step, the "
-             "second with a smaller Tolerance. 0 means no limit, but a warning.");
+      "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.");
+  addEntriesOfWatches(entries.others());
   entries
     .real(largest_step, &S::largest_step, "s", Range::positive(),
           "The size of every step is this one divided by a power of two. The default is 2^25 s, "
@@ -129,6 +134,20 @@ Entries<TimeSettings> timeEntries()
 } // namespace
 
 RCP<const ParameterList> timeParameters() { return timeEntries().list(); }
+
+std::string meaningOfTime()
+{
+  std::string text =
+    "This list selects the time scheme and how the sizes of steps are chosen. Each "
+    "step is checked, and the run warns of";
+  auto const& watches = dynamics::WatchRegistry::instance();
+  char const* separator = " ";
+  for (auto const& name : watches.names()) {
+    text += separator + watches.at(name).meaning();
+    separator = "; ";
+  }
+  return text + '.';
+}
 
 TimeSettings TimeSettings::from(ParameterList const& list)
 {
@@ -228,14 +247,16 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step,
-                                                       double wave_rate)
+                                                       ControlSetting const& setting)
 {
   auto const name = TimeSettings::from(list).control;
   auto control = dynamics::StepControlRegistry::instance().at(name).make(
-    list.sublist(name), {step, step.update().order, time_path, wave_rate});
+    list.sublist(name), {step, step.update().order, time_path, setting.wave_rate});
   ASPERITY_REQUIRE(control->adapts() || !list.getEntry(largest_step).isDefault(),
                    time_path << " / " << largest_step << " is missing: prescribed steps need it.");
   control->setInstants(instants(list, output_times, step.clock()));
+  control->setStart(setting.displacement, setting.least_motion[0], setting.least_motion[1]);
+  control->setPlaces(setting.place_of);
   return control;
 }
 } // namespace asperity::scenario

@@ -3,14 +3,16 @@
 #include "dynamics/control/StepControl.hpp"
 #include "parameters/Parameters.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace asperity::scenario
 {
-// The deck's list `Time Stepping`.
+// The deck's list `Time Stepping`, with the entries of watches, and a sentence about it.
 RCP<const ParameterList> timeParameters();
+std::string meaningOfTime();
 
 // Its own entries.
 struct TimeSettings
@@ -43,10 +45,18 @@ dynamics::DyadicTime makeClock(ParameterList const& list, double smallest);
 // Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha
 // with spectral radius 1): its velocity would have the amplification factor -1.
 dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
-// No step passes the end of the run, an instant of the list, or an output time [s]. wave_rate:
-// dynamics::WaveScale::slip_rate [m/s].
+// What a step control knows of the problem beside its step.
+struct ControlSetting
+{
+  double wave_rate = 0;                 // dynamics::WaveScale::slip_rate [m/s]
+  RCP<const Vector> displacement;       // at the start of the run; null: zero
+  std::array<double, 2> least_motion{}; // below which no error matters [m, m/s]
+  dynamics::StepControl::PlaceOf place_of;
+};
+
+// No step passes the end of the run, an instant of the list, or an output time [s].
 std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
                                                        std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step,
-                                                       double wave_rate = 0);
+                                                       ControlSetting const& setting = {});
 } // namespace asperity::scenario

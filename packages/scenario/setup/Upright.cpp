@@ -2,10 +2,9 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "io/OutputSet.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-
-#include <Teuchos_Array.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,17 +36,14 @@ std::optional<Direction> unit(Direction v)
   return v;
 }
 
-// The entry as a unit vector; nothing if it is not given or no direction, which its readers refuse.
-std::optional<Direction> given(ParameterList const& list, char const* name)
+// As a unit vector; nothing if it is not given or no direction, which its readers refuse.
+std::optional<Direction> given(std::optional<std::vector<double>> const& numbers)
 {
-  if (isLeftOut(list, name)) {
+  if (!numbers) {
     return std::nullopt;
   }
-  auto const numbers = list.get<Teuchos::Array<double>>(name);
   Direction v{};
-  for (int d = 0; d < 3 && d < numbers.size(); ++d) {
-    v[d] = numbers[d];
-  }
+  std::copy_n(numbers->begin(), std::min<std::size_t>(3, numbers->size()), v.begin());
   return unit(v);
 }
 
@@ -105,11 +101,14 @@ bool isLeftOut(ParameterList const& list, std::string const& name)
 Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
                   FreeSurface const& open)
 {
-  auto const& bulk = deck.sublist("Bulk");
+  auto const bulk = BulkSettings::from(deck.sublist("Bulk"));
   auto const names = quotedNames(surface.boundaries);
-  const bool has_gravity = gravityActs(bulk);
-  auto const up = dimension == 3 ? given(deck.sublist("Output"), "Up") : std::nullopt;
-  auto const down = has_gravity ? given(bulk, "Gravity Direction") : std::nullopt;
+  const bool has_gravity = bulk.hasGravity();
+  auto const& output = deck.sublist("Output");
+  auto const up = dimension == 3 && !isLeftOut(output, "Up")
+                    ? given(io::DirectionUp::from(output).up)
+                    : std::nullopt;
+  auto const down = has_gravity ? given(bulk.gravity_direction) : std::nullopt;
   auto const outward = facing(surface, faces);
   const std::string entry_up = "Asperity / Output / Up",
                     entry_down = "Asperity / Bulk / Gravity Direction";
@@ -164,10 +163,9 @@ Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& s
   return result;
 }
 
-std::optional<Warning> warnOfUp(ParameterList const& bulk, int dimension, Upright const& upright)
+std::optional<Warning> warnOfUp(BulkSettings const& bulk, int dimension, Upright const& upright)
 {
-  const bool acts = gravityActs(bulk);
-  if (dimension < 3 || !acts || upright.is_known) {
+  if (dimension < 3 || !bulk.hasGravity() || upright.is_known) {
     return std::nullopt;
   }
   return Warning{
@@ -189,7 +187,7 @@ ParameterList& completeDirections(ParameterList& deck, int dimension, Upright co
   auto& bulk = deck.sublist("Bulk");
   auto const down = opposite(up);
   std::vector<double> direction = {down[0], down[1]};
-  const bool acts = gravityActs(bulk);
+  const bool acts = BulkSettings::from(bulk).hasGravity();
   if (dimension == 3 && down[2] != 0 && acts) {
     direction.push_back(down[2]);
   }

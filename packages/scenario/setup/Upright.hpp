@@ -3,6 +3,7 @@
 #include "base/Warning.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 
 #include <array>
 #include <optional>
@@ -41,7 +42,7 @@ Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& s
                   FreeSurface const& open = {});
 
 // A warning where gravity acts in three dimensions and nothing says which way is up.
-std::optional<Warning> warnOfUp(ParameterList const& bulk, int dimension, Upright const& upright);
+std::optional<Warning> warnOfUp(BulkSettings const& bulk, int dimension, Upright const& upright);
 
 // Sets `Output / Up` and `Bulk / Gravity Direction`, which points down, where the deck leaves them
 // out, so that whoever reads the deck of a run finds them. Returns the deck.

@@ -4,8 +4,6 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/parallel/CellGroups.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,11 +13,6 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* volumetric_strain = "Volumetric Strain";
-constexpr char const* automatic = "Auto";
-constexpr char const* of_cells = "Cell";
-constexpr char const* of_patches = "Patch";
-
 // Rock that yields, or has a power law, has a stress of its own in each cell.
 std::vector<bool> areAlone(Rock const& rock)
 {
@@ -34,15 +27,16 @@ std::vector<bool> areAlone(Rock const& rock)
   return result;
 }
 
-std::vector<double> ownModuli(std::string const& choice, Rock const& rock)
+std::vector<double> ownModuli(VolumetricStrain choice, Rock const& rock)
 {
-  const double own_ratio = choice == of_patches ? -1 : fem::own_poissons_ratio;
+  const double own_ratio = choice == VolumetricStrain::of_patch ? -1 : fem::own_poissons_ratio;
   auto const are_alone = areAlone(rock);
   std::vector<double> moduli;
   for (std::size_t cell = 0; cell < rock.materials.size(); ++cell) {
     auto const& material = rock.materials[cell];
-    moduli.push_back(choice == of_cells || are_alone[cell] ? material.bulk_modulus
-                                                           : fem::ownModulus(material, own_ratio));
+    moduli.push_back(choice == VolumetricStrain::of_cell || are_alone[cell]
+                       ? material.bulk_modulus
+                       : fem::ownModulus(material, own_ratio));
   }
   return moduli;
 }
@@ -78,25 +72,14 @@ double lostSlip(double poissons_ratio, int components)
 }
 } // namespace
 
-void declareVolumetricStrain(Declare& bulk)
-{
-  bulk.choice(
-    volumetric_strain, automatic, {automatic, of_cells, of_patches},
-    "Selects which volumetric strain gives the mean stress of a cell. Auto: what rock of a "
-    "Poisson's ratio up to 0.3 bears follows from the strain of the cell, what nearly "
-    "incompressible rock bears beyond it from the mean over a patch of cells around a vertex, so "
-    "that cells do not lock. Cell: all follows from the cell. Patch: all follows from the patch, "
-    "in rock of any Poisson's ratio; softer, and steps take about 3 times as long in space. It has "
-    "no effect in antiplane models, and in rock that yields or has a power law.");
-}
-
 template <int Dim>
 fem::VolumetricPatches makePatches(ParameterList const& bulk,
                                    std::vector<std::string> const& faults, Mesh<Dim>& mesh,
                                    Rock& rock, Communicator const& communicator)
 {
-  auto const choice = bulk.get<std::string>(volumetric_strain);
-  if (displacementComponents(bulk) != Dim || choice == of_cells) {
+  auto const settings = BulkSettings::from(bulk);
+  auto const choice = settings.volumetric_strain;
+  if (settings.components != Dim || choice == VolumetricStrain::of_cell) {
     return {};
   }
   auto moduli = ownModuli(choice, rock);
@@ -113,13 +96,13 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
   return fem::makeVolumetricPatches(mesh, vertices, rock.materials, moduli);
 }
 
-std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
+std::vector<Warning> warnOfLocking(BulkSettings const& bulk, Rock const& rock,
                                    Communicator const& communicator)
 {
   constexpr double bound = 0.4;
-  const int components = displacementComponents(bulk);
-  const bool may_share = bulk.get<std::string>(volumetric_strain) != "Auto";
-  auto const moduli = ownModuli(bulk.get<std::string>(volumetric_strain), rock);
+  const int components = bulk.components;
+  const bool may_share = bulk.volumetric_strain != VolumetricStrain::automatic;
+  auto const moduli = ownModuli(bulk.volumetric_strain, rock);
   double largest = 0;
   for (std::size_t cell = 0; cell < moduli.size() && components > 1; ++cell) {
     auto const& material = rock.materials[cell];

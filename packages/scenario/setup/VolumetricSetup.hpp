@@ -3,6 +3,7 @@
 #include "base/Warning.hpp"
 #include "fem/VolumetricPatches.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/RockSetup.hpp"
 
 #include <string>
@@ -10,9 +11,6 @@
 
 namespace asperity::scenario
 {
-// Declares the choice `Volumetric Strain` of the list `Bulk`.
-void declareVolumetricStrain(Declare& bulk);
-
 // The patches of cells that share a volumetric strain; none in an antiplane model, and where no
 // cell needs one. Several ranks then get the missing cells of their patches: mesh and rock become
 // larger. faults: names of boundaries. Collective.
@@ -22,6 +20,6 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
                                    Rock& rock, Communicator const& communicator);
 
 // Of nearly incompressible cells that keep their volume each for itself. Collective.
-std::vector<Warning> warnOfLocking(ParameterList const& bulk, Rock const& rock,
+std::vector<Warning> warnOfLocking(BulkSettings const& bulk, Rock const& rock,
                                    Communicator const& communicator);
 } // namespace asperity::scenario

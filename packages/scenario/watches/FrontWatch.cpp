@@ -9,7 +9,7 @@
 
 namespace asperity::scenario
 {
-FrontWatch::FrontWatch(dynamics::WatchContext const& context)
+FrontWatch::FrontWatch(ParameterList const&, dynamics::WatchContext const& context)
     : zone_(context.zone)
     , fault_(context.fault)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/watches/Watch.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <array>
 #include <limits>
@@ -15,7 +16,8 @@ class FrontWatch : public dynamics::Watch
 {
 public:
   // There may be no zone.
-  explicit FrontWatch(dynamics::WatchContext const& context);
+  FrontWatch(ParameterList const&, dynamics::WatchContext const& context);
+  static std::string meaning() { return "fronts of slip that are narrower than cells resolve"; }
 
   // Looks at the end of a step. Warns the first time that the zone has fewer cells than
   // scenario::fewest_cells_of_front, and again when it has half of what was told.

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "dynamics/watches/Watch.hpp"
+#include "parameters/Parameters.hpp"
+
+#include <string>
 
 namespace asperity::scenario
 {
@@ -9,7 +12,11 @@ namespace asperity::scenario
 class PressureWatch : public dynamics::Watch
 {
 public:
-  explicit PressureWatch(dynamics::WatchContext const& context) : fault_(context.fault) {}
+  static std::string meaning() { return "a pressure that reaches the normal stress"; }
+
+  PressureWatch(ParameterList const&, dynamics::WatchContext const& context) : fault_(context.fault)
+  {
+  }
 
   // Warns the first time that a node which slides has lost its normal stress.
   void note(dynamics::WatchedState const& now, dynamics::Notes& notes) override;

@@ -44,7 +44,7 @@ SkippedTimes::SkippedTimes(ParameterList const& deck, std::vector<std::array<dou
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
 }
 
-SkippedTimes::SkippedTimes(dynamics::WatchContext const& context)
+SkippedTimes::SkippedTimes(ParameterList const&, dynamics::WatchContext const& context)
     : SkippedTimes(context.deck, context.places_of_loads, context.fault.surface().communicator())
 {
 }

@@ -29,7 +29,8 @@ public:
   SkippedTimes(ParameterList const& deck, std::vector<std::array<double, 3>> places,
                RCP<const Communicator> communicator);
 
-  explicit SkippedTimes(dynamics::WatchContext const& context);
+  SkippedTimes(ParameterList const&, dynamics::WatchContext const& context);
+  static std::string meaning() { return "pulses of a load that a step passes"; }
 
   // A warning of the first such step, from `begin` to `end` [s]. Collective.
   std::optional<Warning> note(double begin, double end);

@@ -90,7 +90,7 @@ int firstWith(ConstNodeView const& values, double value)
 }
 } // namespace
 
-TensionWatch::TensionWatch(dynamics::WatchContext const& context)
+TensionWatch::TensionWatch(ParameterList const&, dynamics::WatchContext const& context)
     : fault_(context.fault)
     , since_start_(context.since_start)
     , sigma_0_("asperity::scenario::sigma0", fault_.surface().numNodes())

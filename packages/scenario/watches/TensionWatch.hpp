@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/watches/Watch.hpp"
+#include "parameters/Parameters.hpp"
 
 #include <array>
 #include <memory>
@@ -19,7 +20,8 @@ class TensionWatch : public dynamics::Watch
 public:
   // Of the context, since_start is empty where nothing presses across the fault (antiplane motion,
   // antisymmetric faults). Collective.
-  explicit TensionWatch(dynamics::WatchContext const& context);
+  TensionWatch(ParameterList const&, dynamics::WatchContext const& context);
+  static std::string meaning() { return "a body that pulls at its fault"; }
 
   // Warns the first time, and whenever twice as much of the fault is in tension.
   void note(dynamics::WatchedState const& watched, dynamics::Notes& notes) override;

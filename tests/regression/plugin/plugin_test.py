@@ -23,6 +23,7 @@ PLUGIN = pathlib.Path("build/libviscous.so")
 DISTANCE, RATE, FILM, END = 1e-3, 1e-6, 500.0, 1000.0
 SHARE, RELAXATION = 0.75, 200.0  # of the shear modulus
 PRESSURE, DRAINAGE = 0.5, 200.0  # of the normal stress
+DILATANCY = 1e9  # Pa/m
 
 
 def call(*words):
@@ -66,6 +67,30 @@ def exact_slip(time):
         at = moved(step / 6, [a + 2 * b + 2 * c + d
                               for a, b, c, d in zip(first, second, third, fourth)])
     return at[0]
+
+
+def exact_dilation(time):
+    """Slip [m] and pressure [Pa] of gouge that dilates as well, by the classical method of Runge
+    and Kutta."""
+    count = 1 + int(4 * time)
+    step, at = time / count, (0.0, 0.0, 0.0)
+
+    def change(now, values):
+        slip, strained, pressure = values
+        share = 1 - PRESSURE * math.exp(-now / DRAINAGE) - pressure / 1e6
+        rate = ((1 - SHARE) * (RATE * now - slip) + SHARE * strained) / (FILM * share)
+        return (rate, RATE - rate - strained / RELAXATION,
+                -pressure / DRAINAGE - DILATANCY * rate)
+
+    for i in range(count):
+        now = step * i
+        first = change(now, at)
+        second = change(now + step / 2, [x + step / 2 * r for x, r in zip(at, first)])
+        third = change(now + step / 2, [x + step / 2 * r for x, r in zip(at, second)])
+        fourth = change(now + step, [x + step * r for x, r in zip(at, third)])
+        at = [x + step / 6 * (a + 2 * b + 2 * c + d)
+              for x, a, b, c, d in zip(at, first, second, third, fourth)]
+    return at[0], at[2]
 
 
 class Installation(unittest.TestCase):
@@ -141,6 +166,48 @@ class Run(unittest.TestCase):
         asperity_run.go_on(folder, *deck)
         self.assertEqual([row["step_size"] for row in asperity_run.table(folder / "steps.csv")],
                          sizes)
+
+    def test_a_watch_has_entries_of_its_own(self):
+        folder = asperity_run.run_to_end("patient", DECK, "--plugin", PLUGIN, "--set",
+                                         "Time Stepping/Largest Slip=1e-3")
+        self.assertNotIn("which is much for this body", (folder / "run.log").read_text())
+
+    def test_a_process_follows_from_slip(self):
+        """viscous.xml with dp/dt = -p / t_d - c V, where p also acts in friction. The step takes V
+        as constant, which errs by (tau / t_d)^2 / 12 = 3e-5 of p."""
+        deck = [DECK, "--plugin", PLUGIN, *runs.settings({
+            "Friction/Dilating Gouge/Enabled": "true",
+            "Friction/Dilating Gouge/Dilatancy": DILATANCY,
+            "Friction/Dilating Gouge/Drainage Time": DRAINAGE,
+            "Output/Fault History/Precision": "Double",
+            "Output/Fault History/Fields": "{slip, gouge_pressure}"})]
+        for ranks in (1, 2):
+            folder = asperity_run.run_to_end(f"gouge_{ranks}", *deck, ranks=ranks)
+            history = asperity_run.series(folder / "fault.h5")
+            slip, pressure = exact_dilation(END)
+            self.assertLess(slip, 0.97 * exact_slip(END))
+            self.assertLess(pressure, -5e4)
+            found = history["fields/gouge_pressure"][-1].ravel()
+            self.assertLess(abs(found - pressure).max(), 1e-4 * abs(pressure))
+            self.assertLess(abs(history["fields/slip"][-1].ravel() - slip).max(), 1e-4 * slip)
+
+    def test_a_smoother_solves_the_same_problem(self):
+        """Without inertia and friction that depends on the solver, slip is that of the deck."""
+        cycles = {}
+        for name in ("Block Jacobi", "Two Jacobi Sweeps"):
+            for ranks in (1, 2):
+                folder = asperity_run.run_to_end(
+                    f"smoother_{name.split()[0]}_{ranks}", DECK, "--plugin", PLUGIN,
+                    *runs.settings({"TNNMG/Linear Correction": "MueLu",
+                                    "TNNMG/MueLu Correction/Smoother": name,
+                                    "Mesh/Refinements": 3}), ranks=ranks)
+                last = asperity_run.table(folder / "mean_slip.csv")[-1]
+                self.assertAlmostEqual(last["mean_slip"], exact_slip(END),
+                                       delta=1e-5 * exact_slip(END))
+                cycles[name, ranks] = sum(row["v_cycles"] for row in
+                                          asperity_run.table(folder / "steps.csv"))
+        for ranks in (1, 2):
+            self.assertLess(cycles["Two Jacobi Sweeps", ranks], cycles["Block Jacobi", ranks])
 
     def test_a_watch_warns_once(self):
         folder = asperity_run.run_to_end("watched", DECK, "--plugin", PLUGIN)
@@ -302,6 +369,54 @@ class Springs(unittest.TestCase):
             self.assertLess(abs(last["energy_defect"]), 1e-9 * first)
 
 
+class Conditions(unittest.TestCase):
+    def displacements(self, name, *changes, ranks=1):
+        folder = asperity_run.run_to_end(name, BLOCK, "--plugin", PLUGIN, *changes, ranks=ranks)
+        volume = asperity_run.series(folder / "volume.h5")
+        places = volume["geometry/coordinates"][:, :2]
+        return volume, zip(volume["time"], volume["fields/displacement"][..., :2]), places
+
+    def test_a_boundary_turns_the_body(self):
+        """A rotation strains nothing: u = omega t e_z x (x - c) everywhere."""
+        rate, centre = 1e-3, numpy.array([0.5, -1.0])
+        for ranks in (1, 2):
+            volume, found, places = self.displacements(
+                f"turned_{ranks}", "--remove", f"{ON}Wall", "--remove", f"{ON}Pull",
+                *runs.settings({f"{ON}Base/Type": "Turning Boundary",
+                                f"{ON}Base/Turning Rate": rate,
+                                f"{ON}Base/Turning Centre": "{0.5, -1}"}), ranks=ranks)
+            arm = places - centre
+            turned = rate * numpy.column_stack((-arm[:, 1], arm[:, 0]))
+            for time, u in found:
+                self.assertLess(abs(u - time * turned).max(), 1e-9 * abs(turned).max())
+            self.assertLess(abs(volume["fields/stress"]).max(), 1e-9 * 1e6 * rate)
+
+    def test_a_boundary_bears_water(self):
+        """Between walls u_y = -p y / (lambda + 2 G) under p = w (h - H); a dry boundary is free."""
+        weight, above = 1e4, 0.05
+        for ranks in (1, 2):
+            _, found, places = self.displacements(
+                f"water_{ranks}", "--remove", f"{ON}Pull/Traction X",
+                *runs.settings({f"{ON}Pull/Type": "Sliding Wall", f"{ON}Lake/Boundary": "top",
+                                f"{ON}Lake/Type": "Water Load",
+                                f"{ON}Lake/Water Level": f"1 + {above} * (1 + t)",
+                                f"{ON}Lake/Specific Weight": weight}), ranks=ranks)
+            for time, u in found:
+                expected = -weight * above * (1 + time) * places[:, 1] / MODULUS
+                self.assertLess(abs(u[:, 1] - expected).max(), 1e-9 * abs(expected).max())
+                self.assertLess(abs(u[:, 0]).max(), 1e-9 * abs(expected).max())
+
+    def test_bad_entries_are_refused(self):
+        deck = [BLOCK, "--validate", "--plugin", PLUGIN]
+        turning = f"{ON}Base/Type=Turning Boundary"
+        for changes, pieces in (
+                ([turning, f"{ON}Base/Turning Centre={{1}}"], ["Turning Centre has 1 numbers"]),
+                ([f"{ON}Base/Turning Rate=1"], ["Turning Rate has no effect", "Turning Boundary"]),
+                ([f"{ON}Base/Type=Water Load"], ["Water Level is missing"])):
+            result = asperity_run.run(*deck, *runs.settings(*changes))
+            runs.assert_one_message(self, result, runs.INPUT, *pieces)
+
+
 class Parameters(unittest.TestCase):
     def assert_refused(self, arguments, *pieces):
         result = asperity_run.run(*arguments)
@@ -314,7 +429,9 @@ class Parameters(unittest.TestCase):
             for piece in ("with Law = Viscous", "Viscous Slip Rate", "with State Evolution = Wear",
                           "Wear Distance", "with Law = Standard Linear Solid",
                           "Relaxing Share", "Film on Rock", "Draining Pressure", "Growing Steps",
-                          "Steps of a Size", "Mean Slip", "Normal Stiffness",
+                          "Steps of a Size", "Mean Slip", "Normal Stiffness", "Two Jacobi Sweeps",
+                          "Largest Slip", "slip above 'Largest Slip'", "Dilating Gouge",
+                          "Turning Rate", "Specific Weight",
                           "at which the coefficient of friction"):
                 self.assertTrue(piece in text, piece)
         self.assertFalse("Viscous Slip" in call(asperity_run.PROGRAM, "--print-parameters"))

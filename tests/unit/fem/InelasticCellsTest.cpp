@@ -10,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 // Cells that yield, on any number of ranks.
@@ -242,6 +244,24 @@ TEST(InelasticCells, HaveAConvexPotentialInAssociatedFlow)
     const double work = u->dot(*f), twice_energy = 2 * sample.cells.energy(e);
     EXPECT_GE(work, twice_energy);
     EXPECT_GT(twice_energy, 0.01 * work);
+  }
+}
+
+// A nan in one cell of the rock must not pass for a strain that has converged.
+TEST(InelasticCells, HaveNoFiniteDistanceToAStrainThatIsNone)
+{
+  const Sample<2> sample(2, vonMises(10));
+  auto const before = sample.cells.none(), after = sample.cells.none();
+  sample.cells.respond(*sample.motion(1), 1, before, after);
+  const TensorView broken("broken", after.strain.extent(0), after.strain.extent(1));
+  Kokkos::deep_copy(broken, after.strain);
+  if (broken.extent(0) > 0) {
+    Kokkos::deep_copy(Kokkos::subview(broken, 0, 0), std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const bool as_maximum : {false, true}) {
+    EXPECT_EQ(sample.cells.distance(after.strain, after.strain, as_maximum), 0);
+    EXPECT_FALSE(std::isfinite(sample.cells.distance(after.strain, broken, as_maximum)));
+    EXPECT_FALSE(std::isfinite(sample.cells.distance(broken, after.strain, as_maximum)));
   }
 }
 } // namespace asperity::fem

@@ -22,9 +22,9 @@ TEST(BulkSetup, PointsGravityAnyWay)
   const auto list = bulkList([](ParameterList& given) {
     given.set("Gravity Direction", array<double>({3, -4}));
   });
-  EXPECT_NEAR(gravity<2>(list)[0], 6, 1e-14);
-  EXPECT_NEAR(gravity<2>(list)[1], -8, 1e-14);
-  EXPECT_EQ(gravity<2>(bulkList()), (std::array<double, 2>{0, -10}));
+  EXPECT_NEAR(gravity<2>(BulkSettings::from(list))[0], 6, 1e-14);
+  EXPECT_NEAR(gravity<2>(BulkSettings::from(list))[1], -8, 1e-14);
+  EXPECT_EQ(gravity<2>(BulkSettings::from(bulkList())), (std::array<double, 2>{0, -10}));
 }
 
 TEST(BulkSetup, RefusesGravityThatMakesNoSense)
@@ -32,10 +32,11 @@ TEST(BulkSetup, RefusesGravityThatMakesNoSense)
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 2, 3}, {}}) {
     const auto list =
       bulkList([&](ParameterList& given) { given.set("Gravity Direction", array(direction)); });
-    expectRefusal([&] { gravity<2>(list); }, {"Asperity / Bulk / Gravity Direction"});
+    expectRefusal([&] { gravity<2>(BulkSettings::from(list)); },
+                  {"Asperity / Bulk / Gravity Direction"});
   }
   const auto antiplane = bulkList([](ParameterList& given) { given.set("Model", "Antiplane"); });
-  expectRefusal([&] { gravity<2>(antiplane); },
+  expectRefusal([&] { gravity<2>(BulkSettings::from(antiplane)); },
                 {"Asperity / Bulk / Gravitational Acceleration = 10", "antiplane"});
 }
 
@@ -46,11 +47,11 @@ TEST(BulkSetup, DampsAQuasiDynamicFaultByTheImpedanceOfItsSides)
   const std::vector<fem::Material> materials = {{1000, bulk, 4e6, 0, 0}, {4000, bulk, 1e6, 0, 0}};
   const auto damping = [&](fem::OtherSide side, std::function<void(ParameterList&)> const& change) {
     const auto list = bulkList(change);
-    return radiationDamping(list, nodes, side, materials);
+    return radiationDamping(BulkSettings::from(list), list, nodes, side, materials);
   };
   const auto quasi = [](ParameterList& list) { list.set("Dynamics", "Quasi-dynamic"); };
-  EXPECT_FALSE(quasiDynamic(bulkList()));
-  EXPECT_TRUE(quasiDynamic(bulkList(quasi)));
+  EXPECT_FALSE(BulkSettings::from(bulkList()).isQuasiDynamic());
+  EXPECT_TRUE(BulkSettings::from(bulkList(quasi)).isQuasiDynamic());
   EXPECT_EQ(damping(fem::OtherSide::rigid_foundation, [](auto&) {}), (std::vector<double>{0, 0}));
   // G / cs = sqrt(rho G), half of it from each side.
   const double impedance = std::sqrt(4e9);

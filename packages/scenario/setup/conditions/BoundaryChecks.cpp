@@ -30,11 +30,6 @@ bool contradict(BoundaryCondition const& a, BoundaryCondition const& b)
          (first == DecidesOn::traction && second == DecidesOn::traction);
 }
 
-bool reads(ConditionType const& type, std::string const& entry)
-{
-  return std::find(type.reads.begin(), type.reads.end(), entry) != type.reads.end();
-}
-
 bool decidesOnTraction(BoundaryCondition const& condition)
 {
   const auto on = condition.type->decides_on;
@@ -88,7 +83,7 @@ std::string readersOf(std::string const& entry)
 {
   std::string text;
   for (auto const& type : conditionTypes()) {
-    if (reads(type, entry)) {
+    if (type.readsEntry(entry)) {
       text += (text.empty() ? "the Type '" : " or '") + type.name + "'";
     }
   }
@@ -123,7 +118,7 @@ void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions)
   for (auto const& condition : conditions) {
     for (auto const& type : conditionTypes()) {
       for (auto const& entry : type.reads) {
-        ASPERITY_REQUIRE(reads(*condition.type, entry) || !isGiven(condition.list, entry),
+        ASPERITY_REQUIRE(condition.type->readsEntry(entry) || !isGiven(condition.list, entry),
                          joinPath(condition.name, entry)
                            << " has no effect: it belongs to " << readersOf(entry)
                            << ", and this is '" << condition.type->name
@@ -157,9 +152,7 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
   const auto is_inside = [&mesh](std::string const& boundary) {
     return std::find(mesh.faults.begin(), mesh.faults.end(), boundary) != mesh.faults.end();
   };
-  const auto isFault = [](BoundaryCondition const& condition) {
-    return condition.type->place == ConditionPlace::fault;
-  };
+  const auto isFault = [](BoundaryCondition const& condition) { return condition.type->isFault(); };
   const bool known_alone = std::none_of(conditions.begin(), conditions.end(), isFault);
   const bool two_sided =
     known_alone || std::any_of(conditions.begin(), conditions.end(),
@@ -170,8 +163,8 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
     ASPERITY_REQUIRE(!is_inside(condition.boundary) || (two_sided && condition.liesAlongFault()),
                      condition.name << " / Boundary = '" << condition.boundary
                                     << "' is a fault inside the body, where the Type '" << type
-                                    << "' does not apply. Choose " << kinds
-                                    << ", or 'Prescribed Slip Rate' where it continues one.");
+                                    << "' does not apply. Choose " << kinds << ", or '"
+                                    << continuationType().name << "' where it continues one.");
     if (!is_inside(condition.boundary) && two_sided && condition.liesAlongFault()) {
       const auto touching = mesh::touchingFacets(mesh, communicator);
       const std::string way_out =
@@ -187,7 +180,7 @@ void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
     }
   }
   auto all_kinds = faultKindsInside();
-  all_kinds.push_back("Prescribed Slip Rate");
+  all_kinds.push_back(continuationType().name);
   for (auto const& fault : mesh.faults) {
     ASPERITY_REQUIRE(std::any_of(conditions.begin(), conditions.end(),
                                  [&fault](BoundaryCondition const& condition) {
@@ -248,7 +241,7 @@ void requirePlaneOfMirror(std::vector<BoundaryCondition> const& conditions, Mesh
     if (condition.liesAlongFault()) {
       boundaries.push_back(condition.boundary);
     }
-    if (condition.type->place == ConditionPlace::fault && condition.type->other_side.is_mirrored) {
+    if (condition.type->isFault() && condition.type->other_side.is_mirrored) {
       fault = condition.name + " (" + condition.type->name + ")";
     }
   }

@@ -1,6 +1,7 @@
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include "base/Text.hpp"
+#include "parameters/Entries.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/BoundaryKind.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
@@ -56,7 +57,7 @@ void layAlongFault(Conditions const& conditions, ConditionContext const& setting
       if (result.other_side.is_mirrored) {
         across.kind = fem::FreeAcrossFault{setting.along_fault};
       }
-      const bool is_fault = condition.type->place == ConditionPlace::fault;
+      const bool is_fault = condition.type->isFault();
       velocities.insert(is_fault ? velocities.begin() : velocities.end(), across);
     }
   }
@@ -83,18 +84,30 @@ void make(BoundaryCondition const& condition, ConditionContext const& setting,
 }
 } // namespace
 
-RCP<const ParameterList> boundaryParameters()
+namespace
 {
-  Declare one_condition;
+struct CommonEntries
+{
+  std::string boundary, type;
+  std::optional<std::vector<double>> direction;
+};
+
+// Those that several types share.
+Entries<CommonEntries> commonEntries()
+{
+  using S = CommonEntries;
+  Entries<S> one_condition;
   one_condition
-    .text("Boundary", required, "Names the boundary of the mesh on which the condition holds.")
-    .choice("Type", required, typeNames(), meaningOfType())
+    .text("Boundary", &S::boundary, required,
+          "Names the boundary of the mesh on which the condition holds.")
+    .choiceOfWords("Type", &S::type, required, typeNames(), meaningOfType())
     .realArray(
-      "Direction", optional, "-", Range::any(),
+      "Direction", &S::direction, optional, "-", Range::any(),
       "Prescribed Velocity: components along the axes that say where the velocity points, of any "
       "length; it points along +x if they are left out, and an antiplane body moves along z "
       "alone. Prescribed Slip Rate, and faults with a Slip Rate or a Plate Rate, in three "
       "dimensions: the slip points along the projection of this vector onto the boundary.")
+    .others()
     .field("Plate Rate", optional, "m/s", Range::any(),
            "Faults: says how fast the plates slide past each other along the fault (back slip). "
            "Friction and all outputs of slip include this rate in addition to the motion of the "
@@ -106,9 +119,26 @@ RCP<const ParameterList> boundaryParameters()
            "slips; in two dimensions along the tangent of the fault's frame, which points along "
            "+x on a fault below the body. A fault with a slip rate has no friction.")
     .withoutDatasets();
+  return one_condition;
+}
+} // namespace
+
+BoundaryCondition::BoundaryCondition(std::string const& path, ParameterList const& completed)
+    : name(path)
+    , list(completed)
+{
+  auto const common = commonEntries().read(list, name);
+  type = &conditionType(common.type);
+  boundary = common.boundary;
+  direction = common.direction;
+}
+
+RCP<const ParameterList> boundaryParameters()
+{
+  auto one_condition = commonEntries();
   auto const& registry = BoundaryKindRegistry::instance();
   for (auto const& name : registry.names()) {
-    registry.at(name).declare(one_condition);
+    registry.at(name).declare(one_condition.others());
   }
   auto const one = one_condition.list();
   return Declare()
@@ -139,7 +169,7 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
   const ConditionContext setting = {components, faultAndContinuations(conditions)};
   BoundaryConditions<Dim> result;
   for (auto const& condition : conditions) {
-    if (condition.type->place == ConditionPlace::fault) {
+    if (condition.type->isFault()) {
       make(condition, setting, result);
     }
   }
@@ -150,7 +180,7 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
     layAlongFault(conditions, setting, result);
   }
   for (auto const& condition : conditions) {
-    if (condition.type->place != ConditionPlace::fault) {
+    if (!condition.type->isFault()) {
       make(condition, setting, result);
     } else if (isGiven(condition.list, "Slip Rate")) {
       prescribeSlipRate(condition, setting, result);

@@ -13,9 +13,8 @@ std::vector<double> axis(int components, int which)
 
 void refuseDirection(BoundaryCondition const& condition, char const* why)
 {
-  ASPERITY_REQUIRE(!isGiven(condition.list, "Direction"), joinPath(condition.name, "Direction")
-                                                            << " has no effect: " << why
-                                                            << ". Remove it.");
+  ASPERITY_REQUIRE(!condition.direction, joinPath(condition.name, "Direction")
+                                           << " has no effect: " << why << ". Remove it.");
 }
 
 std::vector<double> directionOf(BoundaryCondition const& condition, int components)
@@ -24,10 +23,10 @@ std::vector<double> directionOf(BoundaryCondition const& condition, int componen
     refuseDirection(condition, "an antiplane body moves along z alone");
     return {1.};
   }
-  if (!isGiven(condition.list, "Direction")) {
+  if (!condition.direction) {
     return axis(components, 0);
   }
-  auto const given = condition.list.get<Teuchos::Array<double>>("Direction").toVector();
+  auto const& given = *condition.direction;
   double square = 0;
   for (double component : given) {
     square += component * component;

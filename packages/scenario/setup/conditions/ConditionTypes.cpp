@@ -16,6 +16,8 @@ namespace asperity::scenario
 {
 namespace
 {
+constexpr char const* prescribed_slip_rate = "Prescribed Slip Rate";
+
 // One fault, or several inside the body.
 template <int Dim>
 void fault(BoundaryCondition const& condition, ConditionContext const& setting,
@@ -147,7 +149,7 @@ std::vector<ConditionType> makeTypes()
                      kind.other_side});
   }
   types.push_back(
-    {"Prescribed Slip Rate",
+    {prescribed_slip_rate,
      "the boundary continues the fault and slips at that rate; where no boundary is a fault of "
      "another Type, it is a fault itself, inside the mesh.",
      {"Direction", "Slip Rate"},
@@ -180,4 +182,11 @@ ConditionType const& conditionType(std::string const& name)
   ASPERITY_ASSERT(found != types.end());
   return *found;
 }
+
+bool ConditionType::readsEntry(std::string const& entry) const
+{
+  return std::find(reads.begin(), reads.end(), entry) != reads.end();
+}
+
+ConditionType const& continuationType() { return conditionType(prescribed_slip_rate); }
 } // namespace asperity::scenario

@@ -3,6 +3,7 @@
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -52,12 +53,18 @@ struct ConditionType
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;
   fem::OtherSide other_side = {}; // of a fault
   bool is_open = false;           // the body moves freely there, but for a load
+
+  bool isFault() const { return place == ConditionPlace::fault; }
+  bool isContinuation() const { return place == ConditionPlace::continuation; }
+  bool readsEntry(std::string const& entry) const;
 };
 
 // All types that a deck may choose from, each once: the registered kinds of fault (FaultKind.hpp),
 // their continuation, and the registered conditions on other boundaries (BoundaryKind.hpp).
 std::vector<ConditionType> const& conditionTypes();
 ConditionType const& conditionType(std::string const& name);
+// The one that continues a fault at a given slip rate.
+ConditionType const& continuationType();
 
 // Adds the condition on the velocity of a fault, or of its continuation, that the entries
 // `Slip Rate` and `Direction` describe; `result` has the faults.
@@ -68,23 +75,15 @@ void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext cons
 // One completed sublist of the deck's list `Boundary Conditions`.
 struct BoundaryCondition
 {
-  BoundaryCondition(std::string const& path, ParameterList const& completed)
-      : name(path)
-      , list(completed)
-      , type(&conditionType(list.get<std::string>("Type")))
-      , boundary(list.get<std::string>("Boundary"))
-  {
-  }
+  BoundaryCondition(std::string const& path, ParameterList const& completed);
 
   std::string name; // its path, for messages
   ParameterList list;
   ConditionType const* type;
   std::string boundary;
+  std::optional<std::vector<double>> direction; // as the deck gives it
 
   bool liesAlongFault() const { return type->place != ConditionPlace::elsewhere; }
-  bool isFaultInside() const
-  {
-    return type->place == ConditionPlace::fault && type->other_side.is_inside;
-  }
+  bool isFaultInside() const { return type->isFault() && type->other_side.is_inside; }
 };
 } // namespace asperity::scenario

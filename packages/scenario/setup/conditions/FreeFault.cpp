@@ -4,6 +4,7 @@
 #include "base/parallel/Agreement.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,8 @@ public:
                        << "', as at x = " << mesh::text(mesh::centroid(mesh::corners(mesh_, facet)))
                        << ", where friction has to determine it. Give the condition another "
                           "boundary; where the fault's continuation slips at a given rate, "
-                          "choose the Type 'Prescribed Slip Rate' instead of the fault's.");
+                          "choose the Type '"
+                       << continuationType().name << "' instead of the fault's.");
     }
   }
 

@@ -14,9 +14,9 @@ PlateRate plateRateOf(BoundaryCondition const& condition, int components)
   PlateRate result;
   result.name = condition.name;
   result.boundary = condition.boundary;
-  const bool has_direction = isGiven(condition.list, "Direction");
+  auto const& direction = condition.direction;
   if (!isGiven(condition.list, "Plate Rate")) {
-    ASPERITY_REQUIRE(!has_direction || isGiven(condition.list, "Slip Rate"),
+    ASPERITY_REQUIRE(!direction || isGiven(condition.list, "Slip Rate"),
                      joinPath(condition.name, "Direction")
                        << " has no effect without a Plate Rate or a Slip Rate. Remove it.");
     return result;
@@ -27,14 +27,14 @@ PlateRate plateRateOf(BoundaryCondition const& condition, int components)
                    joinPath(condition.name, "Plate Rate")
                      << " is a dataset. Give a number or an expression in x, y and z.");
   if (components < 3) {
-    ASPERITY_REQUIRE(!has_direction, joinPath(condition.name, "Direction")
-                                       << " has no effect: in two dimensions plates move along "
-                                          "the fault's tangent. Remove it.");
+    ASPERITY_REQUIRE(!direction, joinPath(condition.name, "Direction")
+                                   << " has no effect: in two dimensions plates move along "
+                                      "the fault's tangent. Remove it.");
     return result;
   }
   result.direction = {1., 0., 0.};
-  if (has_direction) {
-    auto const given = condition.list.get<Teuchos::Array<double>>("Direction").toVector();
+  if (direction) {
+    auto const& given = *direction;
     ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
                      joinPath(condition.name, "Direction")
                        << " needs three numbers, not all zero: where the plate rate points.");

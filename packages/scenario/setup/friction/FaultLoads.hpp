@@ -39,18 +39,4 @@ private:
 std::function<void(double, Vector&)> loadWithTraction(
   ShearTraction const& traction, std::shared_ptr<const fem::FaultSurface> const& surface,
   std::shared_ptr<const fem::BoundaryLoad> const& boundaries, RCP<const Vector> const& constant);
-
-struct NormalStressOfDeck
-{
-  dynamics::NormalStress normal_stress;
-  std::vector<Warning> warnings;
-};
-
-// sigma_n = factor * max(values, 0), where factor is the deck's `Normal Stress Factor`. The values
-// are the deck's `Normal Stress` if it is given, else the pressure(num_nodes) [Pa] of the
-// foundation: a warning says where and how much it pulls. Throws InputError if the deck's normal
-// stress is negative at t = 0; values that become negative later count as zero. Collective.
-NormalStressOfDeck makeNormalStress(ParameterList const& friction, FieldNodes const& nodes,
-                                    std::vector<double> const& pressure,
-                                    fem::FaultSurface const& surface);
 } // namespace asperity::scenario

@@ -16,17 +16,14 @@ namespace asperity::scenario
 namespace
 {
 char const* const change_choice = "Normal Stress Change";
-char const* const regularised = "Prakash-Clifton";
-char const* const slip_entry = "Slip Distance";
-char const* const time_entry = "Time";
 
 RCP<const ParameterList> regularisationParameters()
 {
   return Declare()
-    .field(slip_entry, optional, "m", Range::positive(),
+    .field(regularisation_slip, optional, "m", Range::positive(),
            "Friction comes nearer to the effective normal stress by a factor e within this slip. "
            "If it is left out, slip has no such effect.")
-    .field(time_entry, optional, "s", Range::positive(),
+    .field(regularisation_time, optional, "s", Range::positive(),
            "It does so within this time, too, whether the fault slips or not. If it is left out, "
            "time has no such effect. One of the two has to be given.")
     .hint("A rate V_ref beside the slip rate is a time of Slip Distance / V_ref.")
@@ -54,7 +51,7 @@ Entries<FrictionSettings> frictionEntries()
       {{"Fixed", Declare().list()},
        {"Lagged", Declare().list()},
        {"Coupled", Declare().list()},
-       {regularised, regularisationParameters()}},
+       {regularisation_list, regularisationParameters()}},
       "Selects whether the change of the compression across the fault since the start of the run "
       "is added to the normal stress. Fixed: it is not. Lagged: the change up to the beginning of "
       "each step is added, with an error of first order in the step size. Coupled: the change up "
@@ -83,105 +80,23 @@ RCP<const ParameterList> frictionParameters() { return frictionEntries().list();
 
 FrictionSettings FrictionSettings::from(ParameterList const& list)
 {
-  return frictionEntries().read(list, friction_path);
+  auto settings = frictionEntries().read(list, friction_path);
+  settings.laws = LawChoice::from(list);
+  return settings;
 }
 
-dynamics::NormalStressChange normalStressChange(ParameterList const& list)
+dynamics::NormalStressChange FrictionSettings::normalStressChange() const
 {
-  auto const chosen = FrictionSettings::from(list).change;
-  return chosen == "Fixed"    ? dynamics::NormalStressChange::fixed
-         : chosen == "Lagged" ? dynamics::NormalStressChange::lagged
+  return change == "Fixed"    ? dynamics::NormalStressChange::fixed
+         : change == "Lagged" ? dynamics::NormalStressChange::lagged
                               : dynamics::NormalStressChange::coupled;
 }
 
-double normalStressFloor(ParameterList const& list) { return FrictionSettings::from(list).floor; }
-
-bool followsAtOnce(ParameterList const& list)
+bool FrictionSettings::followsAtOnce() const
 {
-  return normalStressChange(list) != dynamics::NormalStressChange::fixed &&
-         FrictionSettings::from(list).change != regularised;
+  return normalStressChange() != dynamics::NormalStressChange::fixed &&
+         change != regularisation_list;
 }
-
-namespace
-{
-// ln(sigma_n) has to be finite wherever its change shifts the state.
-void requirePressure(ParameterList const& list, FieldNodes const& nodes,
-                     std::vector<double> const& c_over_b,
-                     dynamics::NormalStress const& normal_stress)
-{
-  if (c_over_b.empty() || normalStressFloor(list) > 0) {
-    return;
-  }
-  auto const refused = joinPath(friction_path, "c") + " > 0 needs a normal stress above zero, ";
-  ASPERITY_REQUIRE(!normal_stress.dependsOnTime() &&
-                     normal_stress.change() == dynamics::NormalStressChange::fixed,
-                   refused << "and this one changes. Give a Normal Stress Floor above zero.");
-  const NodeView sigma("asperity::scenario::sigma_n", c_over_b.size());
-  normal_stress.at(0, sigma);
-  auto const values = toHost(sigma);
-  for (std::size_t i = 0; i < c_over_b.size(); ++i) {
-    ASPERITY_REQUIRE(c_over_b[i] == 0 || values(i) > 0,
-                     refused << "and it is " << values(i) << " Pa at x = " << nodes.text(i)
-                             << ". Set c to zero there, or give a Normal Stress Floor.");
-  }
-}
-
-dynamics::NodalFunction functionOf(NodalField const& field)
-{
-  return {field.dependsOnTime(), [field](double t) { return field.at(t); }};
-}
-
-dynamics::FaultProcesses enabledProcesses(ParameterList const& list, FieldNodes const& nodes,
-                                          fem::FaultSurface const& surface,
-                                          std::shared_ptr<const fem::FaultMesh> const& mesh)
-{
-  dynamics::FaultProcesses result;
-  auto const& processes = dynamics::FaultProcessRegistry::instance();
-  for (auto const& name : processes.names()) {
-    auto const& parameters = list.sublist(name);
-    if (parameters.get<bool>("Enabled")) {
-      auto const path = joinPath(friction_path, name);
-      const auto values = [&](std::string const& entry) {
-        return nodalValues(parameters, entry, path, nodes);
-      };
-      const auto in_time = [&](std::string const& entry) {
-        return functionOf({Field(parameters, entry, path, nodes.region_names), nodes});
-      };
-      result.push_back(
-        processes.at(name).make(parameters, {surface, mesh, nodes.places, values, in_time, path}));
-      if (char const* needed = result.back()->stateVariable()) {
-        requireState(list, needed, path);
-      }
-    }
-  }
-  return result;
-}
-
-// Null if friction takes the effective normal stress at once.
-std::shared_ptr<const dynamics::FaultProcess> regularisation(ParameterList const& list,
-                                                             FieldNodes const& nodes,
-                                                             fem::FaultSurface const& surface,
-                                                             dynamics::FaultProcesses const& before)
-{
-  if (FrictionSettings::from(list).change != regularised) {
-    return nullptr;
-  }
-  auto const& own = list.sublist(regularised);
-  auto const path = joinPath(friction_path, regularised);
-  ASPERITY_REQUIRE(isGiven(own, slip_entry) || isGiven(own, time_entry),
-                   path << ": neither " << slip_entry << " nor " << time_entry
-                        << " is given, so that friction would never follow the normal stress. Give "
-                           "one of them or both; with Normal Stress Change = Fixed it does not.");
-  constexpr double never = std::numeric_limits<double>::infinity();
-  const auto scale = [&](char const* entry) {
-    return isGiven(own, entry) ? nodalValues(own, entry, path, nodes)
-                               : std::vector<double>(nodes.ids.size(), never);
-  };
-  dynamics::RegularisationScales scales;
-  onEveryRank(*surface.communicator(), [&] { scales = {scale(slip_entry), scale(time_entry)}; });
-  return dynamics::makeRegularisedStress(surface, scales, before);
-}
-} // namespace
 
 std::vector<Warning> warnOfImplausibleFriction(ParameterList const& list, FieldNodes const& nodes,
                                                Communicator const& communicator)
@@ -213,32 +128,5 @@ std::vector<Warning> warnOfImplausibleFriction(ParameterList const& list, FieldN
     question("Reference Slip Rate", " m/s", largest_rate, "It is a slip rate in m/s.");
   warnings.insert(warnings.end(), of_rate.begin(), of_rate.end());
   return warnings;
-}
-
-dynamics::Fault makeFault(ParameterList const& list, FieldNodes const& nodes,
-                          std::shared_ptr<const fem::FaultSurface> const& surface,
-                          std::shared_ptr<const fem::FaultMesh> const& mesh,
-                          dynamics::NormalStress const& normal_stress, bool body_presses,
-                          std::vector<double> const& radiation_damping)
-{
-  requireSameState(list);
-  auto const change = body_presses ? normalStressChange(list) : dynamics::NormalStressChange::fixed;
-  auto const stress = normal_stress.following(change, normalStressFloor(list));
-  std::vector<double> c_over_b;
-  friction::TableView table;
-  onEveryRank(*surface->communicator(), [&] {
-    table = stateTable(list);
-    c_over_b = stressSensitivities(list, nodes);
-    requirePressure(list, nodes, c_over_b, stress);
-  });
-  auto const processes = enabledProcesses(list, nodes, *surface, mesh);
-  return {
-    surface,
-    {list.get<std::string>("Law"), frictionLawValues(list, nodes),
-     toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
-     list.get<std::string>("State Evolution"), stateLawValues(list, nodes), radiation_damping,
-     toDevice(c_over_b, "asperity::scenario::stressSensitivity"), processes, table,
-     regularisation(list, nodes, *surface, processes)},
-    stress};
 }
 } // namespace asperity::scenario

@@ -19,14 +19,31 @@ namespace
 const std::string friction_choice = "Law";
 const std::string state_choice = "State Evolution";
 
+// They join those of the list.
+Entries<LawChoice> lawEntries(ParameterList& list)
+{
+  Entries<LawChoice> entries({friction::RegularisedLaw::name, friction::AgeingLaw::name}, list);
+  addLaws(entries, friction_choice, &LawChoice::friction, friction::frictionLaws(),
+          "Selects the law that gives the friction coefficient from slip rate and state. None, "
+          "the default where no fault has friction: the fault bears its cohesion alone.");
+  addLaws(entries, state_choice, &LawChoice::state, friction::stateLaws(),
+          "Selects the law by which the state evolves.",
+          [](friction::StateLaw const& law, Declare& declare) {
+            if (law.has_table) {
+              declareSteadyFriction(declare);
+            }
+          });
+  return entries;
+}
+
 friction::FrictionLaw const& chosenFrictionLaw(ParameterList const& list)
 {
-  return friction::frictionLaws().at(list.get<std::string>(friction_choice));
+  return friction::frictionLaws().at(LawChoice::from(list).friction);
 }
 
 friction::StateLaw const& chosenStateLaw(ParameterList const& list)
 {
-  return friction::stateLaws().at(list.get<std::string>(state_choice));
+  return friction::stateLaws().at(LawChoice::from(list).state);
 }
 
 // (num_nodes * num_parameters): the values of one node side by side.
@@ -74,19 +91,12 @@ std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> co
 }
 } // namespace
 
-void declareLaws(Declare& declare)
+void declareLaws(Declare& declare) { lawEntries(*declare.list()); }
+
+LawChoice LawChoice::from(ParameterList const& list)
 {
-  declareChoice(
-    declare, friction_choice, friction::RegularisedLaw::name, friction::frictionLaws(),
-    "Selects the law that gives the friction coefficient from slip rate and state. None, "
-    "the default where no fault has friction: the fault bears its cohesion alone.");
-  declareChoice(declare, state_choice, friction::AgeingLaw::name, friction::stateLaws(),
-                "Selects the law by which the state evolves.",
-                [](friction::StateLaw const& law, Declare& entries) {
-                  if (law.has_table) {
-                    declareSteadyFriction(entries);
-                  }
-                });
+  ParameterList declared;
+  return lawEntries(declared).read(list, friction_path);
 }
 
 namespace
@@ -133,14 +143,12 @@ void chooseLaws(ParameterList& friction, bool is_needed)
   }
 }
 
-bool bearsFriction(ParameterList const& list)
-{
-  return list.get<std::string>(friction_choice) != friction::NoFriction::name;
-}
+bool LawChoice::bearsFriction() const { return friction != asperity::friction::NoFriction::name; }
 
-bool hasState(ParameterList const& list)
+bool LawChoice::hasState() const
 {
-  return std::string(chosenFrictionLaw(list).state_variable) != friction::no_state;
+  return std::string(asperity::friction::frictionLaws().at(friction).state_variable) !=
+         asperity::friction::no_state;
 }
 
 void requireSameState(ParameterList const& list)
@@ -157,10 +165,9 @@ void requireSameState(ParameterList const& list)
       others += (others.empty() ? "" : ", ") + name;
     }
   }
-  throw InputError(joinPath(friction_path, state_choice) + " = " +
-                   list.get<std::string>(state_choice) + " evolves the " + evolves + ", but " +
-                   joinPath(friction_path, friction_choice) + " = " +
-                   list.get<std::string>(friction_choice) + " depends on the " + needed +
+  throw InputError(joinPath(friction_path, state_choice) + " = " + LawChoice::from(list).state +
+                   " evolves the " + evolves + ", but " + joinPath(friction_path, friction_choice) +
+                   " = " + LawChoice::from(list).friction + " depends on the " + needed +
                    ". State laws for it: " + others + ".");
 }
 
@@ -169,7 +176,7 @@ void requireState(ParameterList const& list, std::string const& needed, std::str
   ASPERITY_REQUIRE(needed == chosenFrictionLaw(list).state_variable,
                    what << " changes the " << needed << ", but "
                         << joinPath(friction_path, friction_choice) << " = "
-                        << list.get<std::string>(friction_choice) << " depends on the "
+                        << LawChoice::from(list).friction << " depends on the "
                         << chosenFrictionLaw(list).state_variable << ".");
 }
 
@@ -230,7 +237,7 @@ std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes co
   auto const of_friction = sensitivities(list, nodes);
   ASPERITY_REQUIRE(of_friction, joinPath(friction_path, "c")
                                   << " is given, but the friction law '"
-                                  << list.get<std::string>(friction_choice)
+                                  << LawChoice::from(list).friction
                                   << "' has no b, by which the term of Linker and Dieterich "
                                      "is divided. Remove c, or choose another law.");
   std::vector<double> result;

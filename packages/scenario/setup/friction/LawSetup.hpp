@@ -5,6 +5,7 @@
 #include "scenario/setup/NodalField.hpp"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 // The friction law and the state law that the deck's list `Friction` chooses among all that are
@@ -18,9 +19,16 @@ void declareLaws(Declare& declare);
 // and the list has neither a law nor a parameter of one, and no state where it chooses no friction.
 void chooseLaws(ParameterList& friction, bool is_needed);
 
-// Whether the law is one of friction, and whether it depends on a state.
-bool bearsFriction(ParameterList const& list);
-bool hasState(ParameterList const& list);
+// The names of the two laws.
+struct LawChoice
+{
+  std::string friction, state;
+
+  static LawChoice from(ParameterList const& list);
+
+  bool bearsFriction() const; // the law is one of friction
+  bool hasState() const;      // and depends on a state
+};
 
 // Throws InputError if the friction law does not depend on the state of the state law, or not on
 // that which `what` needs.

@@ -11,18 +11,30 @@
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 
+#include <array>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 namespace asperity::scenario
 {
 namespace
 {
+// The two ends of each of several intervals [m], one after the other.
+using Ends = std::optional<std::vector<double>>;
+
 constexpr char const* refined_intervals = "Refined Intervals";
 
-Entries<mesh::WedgeShape> wedgeEntries()
+struct Wedge : mesh::WedgeShape
+{
+  Ends refined; // along the base
+};
+
+Entries<Wedge> wedgeEntries()
 {
   using mesh::WedgeShape;
-  Entries<WedgeShape> entries;
+  Entries<Wedge> entries;
   entries
     .real("Length", &WedgeShape::length, "m", Range::positive(),
           "The free surface has this length.")
@@ -43,8 +55,8 @@ Entries<mesh::WedgeShape> wedgeEntries()
           "'Growth Factor'.")
     .real("Viscous Thickness", &WedgeShape::viscous_thickness, "m", Range::atLeast(0),
           "The region 'lower' reaches from the deepest point vertically up to this height.");
-  entries.others().realArray(
-    refined_intervals, optional, "m", Range::atLeast(0),
+  entries.realArray(
+    refined_intervals, &Wedge::refined, optional, "m", Range::atLeast(0),
     "Cells are as small as at the seismogenic zone in these intervals of the base, too, "
     "for further patches that weaken; each is given by the distances of its two ends "
     "from the trench along the base, one interval after the other.");
@@ -62,6 +74,7 @@ struct DeepWedge
   double depth = 0.1; // [m]
   bool is_graded = true;
   int num_layers = 10;
+  Ends seismogenic; // along z
   bool is_periodic = false;
 };
 
@@ -77,8 +90,8 @@ Entries<DeepWedge> deepWedgeEntries(ParameterList& list)
             "in all three directions. Layers: the two-dimensional mesh is extruded along z.")
     .integer("Layers", &DeepWedge::num_layers, Range::atLeast(1),
              "With Cells = Layers the mesh has this number of layers.");
-  entries.others().realArray(
-    seismogenic_intervals, optional, "m", Range::any(),
+  entries.realArray(
+    seismogenic_intervals, &DeepWedge::seismogenic, optional, "m", Range::any(),
     "With Cells = Graded the zone is seismogenic in these intervals of z; each is given "
     "by its two ends, one interval after the other. Without this entry it is "
     "seismogenic over the whole depth.");
@@ -92,28 +105,25 @@ RCP<const ParameterList> deepWedgeParameters()
   return list;
 }
 
-// The pairs of numbers that an array of the wedge's list holds; none if it is not given.
-std::vector<Point<2>> intervals(ParameterList const& list, std::string const& name,
-                                std::string const& axis)
+// None if no ends are given. path: of the entry.
+std::vector<Point<2>> intervals(Ends const& ends, std::string const& path, std::string const& axis)
 {
-  if (!isGiven(list, name)) {
+  if (!ends) {
     return {};
   }
-  auto const& ends = list.get<Teuchos::Array<double>>(name);
-  ASPERITY_REQUIRE(!ends.empty() && ends.size() % 2 == 0,
-                   joinPath(joinPath(mesh_path, list.name()), name)
-                     << " needs pairs: where each interval begins and ends, along " << axis << ".");
+  ASPERITY_REQUIRE(!ends->empty() && ends->size() % 2 == 0,
+                   path << " needs pairs: where each interval begins and ends, along " << axis
+                        << ".");
   std::vector<Point<2>> pairs;
-  for (int i = 0; i < ends.size(); i += 2) {
-    pairs.push_back({ends[i], ends[i + 1]});
+  for (std::size_t i = 0; i < ends->size(); i += 2) {
+    pairs.push_back({(*ends)[i], (*ends)[i + 1]});
   }
   return pairs;
 }
 
-// The limit of the list `Mesh`, with the advice for a mesh that is too large.
-mesh::VertexLimit vertexLimit(ParameterList const& list)
+// The limit of a mesh of the type, with the advice for a mesh that is too large.
+mesh::VertexLimit vertexLimit(std::string const& type, int most_vertices)
 {
-  auto const type = list.get<std::string>("Type");
   const bool is_wedge = type == "Wedge" || type == "Deep Wedge";
   std::string names = is_wedge ? "Length, Height, Seismogenic Zone Width, Cell Size, Growth Factor"
                                : "Cell Size, Cells X, Cells Y";
@@ -121,7 +131,7 @@ mesh::VertexLimit vertexLimit(ParameterList const& list)
            : type == "Rectangle" ? ", Width, Height"
            : type == "Box"       ? ", Cells Z, Size"
                                  : "";
-  return {static_cast<double>(list.get<int>("Most Vertices")),
+  return {static_cast<double>(most_vertices),
           "Is one of the entries of " + joinPath(mesh_path, type) +
             " missing, or not in m: " + names + "? A larger mesh is made where " +
             joinPath(mesh_path, "Most Vertices") + " allows it."};
@@ -129,61 +139,72 @@ mesh::VertexLimit vertexLimit(ParameterList const& list)
 
 mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto shape = wedgeEntries().read(list, joinPath(mesh_path, list.name()));
-  shape.limit = limit;
-  shape.further_zones = intervals(list, refined_intervals, "the base");
-  return shape;
+  auto const path = joinPath(mesh_path, list.name());
+  auto wedge = wedgeEntries().read(list, path);
+  wedge.limit = limit;
+  wedge.further_zones = intervals(wedge.refined, joinPath(path, refined_intervals), "the base");
+  return wedge;
 }
 
 std::string flatCellsAt(int axis) { return std::string("Flat Cells at ") + "xyz"[axis]; }
 
-Declare& declareFlatCells(Declare& declare, int dimension)
+// Of cells that are bisected or become flat.
+struct CellSettings
+{
+  double size_factor = 1;
+  std::array<std::optional<std::vector<double>>, 3> flat_at; // positions along each axis [m]
+  double flat_height = 0.3;
+};
+
+template <class Settings>
+void addFlatCells(Entries<Settings>& entries, int dimension)
 {
   for (int axis = 0; axis < dimension; ++axis) {
-    declare.realArray(flatCellsAt(axis), optional, "m", Range::any(),
-                      std::string("Cells beside the planes at these ") + "xyz"[axis] +
-                        " are flat, as faults want them; see 'Flat Cell Height'.");
+    entries.realArray(
+      flatCellsAt(axis), [axis](Settings & s) -> auto& { return s.flat_at[axis]; }, optional, "m",
+      Range::any(),
+      std::string("Cells beside the planes at these ") + "xyz"[axis] +
+        " are flat, as faults want them; see 'Flat Cell Height'.");
   }
-  return declare.real(
-    "Flat Cell Height", 0.3, "-", Range::openClosed(0, 1),
+  entries.real(
+    "Flat Cell Height", &CellSettings::flat_height, "-", Range::openClosed(0, 1),
     "Layers of cells beside the planes of 'Flat Cells at' are this times as high as without that "
     "entry, the next layers 1.5 times as much each, until they reach their own height. 'Cell Size' "
     "sees the positions before.");
 }
 
-// list: of a mesh of this type
+// type: of the mesh
 template <int Dim>
-void flattenCells(ParameterList const& list, std::string const& type, GlobalMesh<Dim>& mesh)
+void flattenCells(CellSettings const& settings, std::string const& type, GlobalMesh<Dim>& mesh)
 {
   for (int axis = 0; axis < Dim; ++axis) {
-    auto const name = flatCellsAt(axis);
-    if (isGiven(list, name)) {
-      auto const where = joinPath(joinPath(mesh_path, type), name);
+    if (auto const& positions = settings.flat_at[axis]) {
+      auto const where = joinPath(joinPath(mesh_path, type), flatCellsAt(axis));
       ASPERITY_REQUIRE(mesh.period[axis] == 0,
                        where << " needs a mesh that is not periodic along this axis.");
-      mesh::flattenLayers(mesh,
-                          {axis, list.get<Teuchos::Array<double>>(name).toVector(),
-                           list.get<double>("Flat Cell Height")},
-                          where);
+      mesh::flattenLayers(mesh, {axis, *positions, settings.flat_height}, where);
     }
   }
 }
 
 constexpr char const* cell_size = "Cell Size";
-constexpr char const* cell_size_factor = "Cell Size Factor";
 
-void declareCellSize(Declare& declare, std::string const& meaning)
+template <class Settings>
+void addCellSize(Entries<Settings>& entries, std::string const& meaning)
 {
-  declare.field(cell_size, optional, "m", Range::positive(), meaning)
-    .withoutDatasets()
-    .real(cell_size_factor, 1., "-", Range::positive(),
-          "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
+  entries.others().field(cell_size, optional, "m", Range::positive(), meaning).withoutDatasets();
+  entries.real("Cell Size Factor", &CellSettings::size_factor, "-", Range::positive(),
+               "This factor multiplies the cell size: 2 makes the whole mesh coarser.");
 }
 
-Entries<mesh::RectangleShape> rectangleEntries()
+struct Rectangle : mesh::RectangleShape, CellSettings
+{
+};
+
+Entries<Rectangle> rectangleEntries()
 {
   using mesh::RectangleShape;
-  Entries<RectangleShape> entries;
+  Entries<Rectangle> entries;
   entries
     .real("Width", &RectangleShape::width, "m", Range::positive(),
           "The rectangle has this extent along x.")
@@ -197,18 +218,18 @@ Entries<mesh::RectangleShape> rectangleEntries()
              "triangles each.")
     .realArray("Lower Left", &RectangleShape::lower_left, "m", Range::any(),
                "The lower left corner of the rectangle lies at this position.");
-  declareCellSize(
-    entries.others(),
+  addCellSize(
+    entries,
     "The longer side of rectangles is at most this function of x and y, which is evaluated "
     "at corners, centroid and midpoints of edges of the triangles. They are bisected until "
     "that is so, and keep the proportions of columns and rows. If columns and rows are 2^k "
     "times this size, the result has exactly this size. Without this entry no cell is "
     "bisected.");
-  declareFlatCells(entries.others(), 2);
+  addFlatCells(entries, 2);
   return entries;
 }
 
-struct Box : mesh::BoxShape
+struct Box : mesh::BoxShape, CellSettings
 {
   bool is_periodic = false;
 };
@@ -230,24 +251,23 @@ Entries<Box> boxEntries()
     .integer(
       "Cells Z", [](Box & box) -> auto& { return box.num_cells[2]; }, Range::atLeast(1),
       "The box is divided into this number of cuboids along z.");
-  declareCellSize(
-    entries.others(),
+  addCellSize(
+    entries,
     "The longest side of cuboids is at most this function of x, y and z: tetrahedra are "
     "bisected until that is so, and keep the proportions of the first cuboids. If these are "
     "2^k times this size, the result has exactly this size. Without this entry no cell is "
     "bisected.");
-  declareFlatCells(entries.others(), 3);
+  addFlatCells(entries, 3);
   return entries.boolean("Periodic Along z", &Box::is_periodic, periodic_meaning);
 }
 
-// The cell size of a list, at a point of space.
+// The cell size of a list, times a factor, at a point of space.
 template <int Dim>
 std::function<double(Point<Dim> const&)> cellSize(ParameterList const& list,
-                                                  std::string const& type)
+                                                  std::string const& type, double factor)
 {
   auto const size =
     std::make_shared<Field>(steadyField(list, cell_size, joinPath(mesh_path, type), {"body"}));
-  const double factor = list.get<double>(cell_size_factor);
   return [size, factor](Point<Dim> const& x) { return factor * (*size)(inSpace<Dim>(x), 0, 0); };
 }
 
@@ -258,9 +278,10 @@ GlobalMesh<2> makeRectangle(ParameterList const& list, mesh::VertexLimit const& 
   auto rectangle = mesh::rectangleMesh(shape);
   const Point<2> brick = {shape.width / shape.cells_x, shape.height / shape.cells_y};
   if (isGiven(list, cell_size)) {
-    rectangle = mesh::bisectBricks<2>(rectangle, brick, cellSize<2>(list, "Rectangle"), limit);
+    rectangle = mesh::bisectBricks<2>(rectangle, brick,
+                                      cellSize<2>(list, "Rectangle", shape.size_factor), limit);
   }
-  flattenCells(list, "Rectangle", rectangle);
+  flattenCells(shape, "Rectangle", rectangle);
   return rectangle;
 }
 
@@ -277,9 +298,9 @@ GlobalMesh<3> makeBox(ParameterList const& list, mesh::VertexLimit const& limit)
     brick[axis] = shape.size[axis] / shape.num_cells[axis];
   }
   if (isGiven(list, cell_size)) {
-    box = mesh::bisectBricks<3>(box, brick, cellSize<3>(list, "Box"), limit);
+    box = mesh::bisectBricks<3>(box, brick, cellSize<3>(list, "Box", shape.size_factor), limit);
   }
-  flattenCells(list, "Box", box);
+  flattenCells(shape, "Box", box);
   return box;
 }
 
@@ -287,10 +308,12 @@ GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& 
 {
   auto const shape = wedgeShape(list, limit);
   ParameterList declared;
-  auto const deep = deepWedgeEntries(declared).read(list, joinPath(mesh_path, list.name()));
+  auto const path = joinPath(mesh_path, list.name());
+  auto const deep = deepWedgeEntries(declared).read(list, path);
   if (deep.is_graded) {
-    return mesh::deepWedgeMesh(
-      shape, {deep.depth, intervals(list, seismogenic_intervals, "z"), deep.is_periodic});
+    auto const seismogenic =
+      intervals(deep.seismogenic, joinPath(path, seismogenic_intervals), "z");
+    return mesh::deepWedgeMesh(shape, {deep.depth, seismogenic, deep.is_periodic});
   }
   auto wedge = mesh::layeredWedgeMesh(shape, deep.depth, deep.num_layers);
   if (deep.is_periodic) {
@@ -310,11 +333,9 @@ std::vector<Declare::NamedList> generatedMeshParameters()
 }
 
 template <int Dim>
-GlobalMesh<Dim> generateMesh(ParameterList const& mesh)
+GlobalMesh<Dim> generateMesh(ParameterList const& list, std::string const& type, int most_vertices)
 {
-  auto const type = mesh.get<std::string>("Type");
-  auto const& list = mesh.sublist(type);
-  auto const limit = vertexLimit(mesh);
+  auto const limit = vertexLimit(type, most_vertices);
   if constexpr (Dim == 2) {
     return type == "Wedge" ? mesh::wedgeMesh(wedgeShape(list, limit)) : makeRectangle(list, limit);
   } else {
@@ -322,6 +343,6 @@ GlobalMesh<Dim> generateMesh(ParameterList const& mesh)
   }
 }
 
-template GlobalMesh<2> generateMesh(ParameterList const&);
-template GlobalMesh<3> generateMesh(ParameterList const&);
+template GlobalMesh<2> generateMesh(ParameterList const&, std::string const&, int);
+template GlobalMesh<3> generateMesh(ParameterList const&, std::string const&, int);
 } // namespace asperity::scenario

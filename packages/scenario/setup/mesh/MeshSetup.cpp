@@ -181,8 +181,9 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
     mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
     return part;
   }
-  auto whole = is_file ? ofMeshFile([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
-                       : generateMesh<Dim>(list);
+  auto whole =
+    is_file ? ofMeshFile([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
+            : generateMesh<Dim>(list.sublist(settings.type), settings.type, settings.most_vertices);
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
   mesh::addFaults(whole, faults, where_faults);

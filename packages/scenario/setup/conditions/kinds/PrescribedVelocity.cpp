@@ -1,3 +1,4 @@
+#include "parameters/Entries.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/conditions/BoundaryKind.hpp"
 #include "scenario/setup/conditions/ConditionEntries.hpp"
@@ -5,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace asperity::scenario
 {
@@ -23,27 +25,36 @@ struct PrescribedVelocity
   static constexpr auto decides_on = DecidesOn::direction;
   static constexpr bool reads_direction = true;
 
-  static void declare(Declare& declare)
+  struct Ramp
   {
-    declare
+    std::optional<double> duration; // [s]
+  };
+
+  // They join those of the list.
+  static Entries<Ramp> entries(ParameterList& list)
+  {
+    Entries<Ramp> entries({}, list);
+    entries.others()
       .field("Velocity", optional, "m/s", Range::any(),
              "Prescribed Velocity: says how fast the boundary moves in that direction; it is at "
              "rest if this is left out.")
-      .withoutDatasets()
-      .real("Ramp Duration", optional, "s", Range::atLeast(0),
-            "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
-            "without this entry there is no ramp.");
+      .withoutDatasets();
+    return entries.real(
+      "Ramp Duration", &Ramp::duration, optional, "s", Range::atLeast(0),
+      "Prescribed Velocity: sets the time over which the velocity grows smoothly from zero; "
+      "without this entry there is no ramp.");
   }
+  static void declare(Declare& declare) { entries(*declare.list()); }
 
   template <int Dim>
   static void add(BoundaryCondition const& condition, ConditionContext const& context,
                   BoundaryConditions<Dim>& result)
   {
-    auto const& list = condition.list;
     auto const given = fieldIfGiven(condition, "Velocity");
     auto const field = given ? given : std::make_shared<const Field>(Field::constant(0));
+    ParameterList declared;
     const double duration =
-      isGiven(list, "Ramp Duration") ? list.template get<double>("Ramp Duration") : 0;
+      entries(declared).read(condition.list, condition.name).duration.value_or(0);
     const fem::VelocityFunction<Dim> velocity(
       [field, duration](Point<Dim> const& x, double t) {
         return ramp(t, duration) * (*field)(inSpace<Dim>(x), t, 0);

@@ -1,0 +1,229 @@
+#include "scenario/problem/FaultAtStart.hpp"
+
+#include "base/Text.hpp"
+#include "base/parallel/Agreement.hpp"
+#include "base/parallel/Reductions.hpp"
+#include "dynamics/processes/RegularisedStress.hpp"
+#include "fem/FaultMesh.hpp"
+#include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace asperity::scenario
+{
+namespace
+{
+std::vector<double> compression(std::vector<double> values, double factor)
+{
+  for (double& value : values) {
+    value = factor * std::max(value, 0.);
+  }
+  return values;
+}
+
+std::vector<double> givenStress(NodalField const& field, FieldNodes const& nodes)
+{
+  auto const values = field.at(0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    ASPERITY_REQUIRE(values[i] >= 0, joinPath(friction_path, "Normal Stress")
+                                       << " = " << values[i] << " at x = " << nodes.text(i)
+                                       << ", t = 0, is outside [0, inf). Check the sign: "
+                                          "compression is positive.");
+  }
+  return values;
+}
+
+// Of the pressure(num_nodes) of the static solution, where it is negative by more than rounding.
+std::vector<Warning> tensionAtStart(std::vector<double> const& pressure,
+                                    fem::FaultSurface const& surface)
+{
+  constexpr double rounding = 1e-9; // of the largest pressure
+  auto const& communicator = *surface.communicator();
+  double largest = 0, least = 0;
+  for (const double value : pressure) {
+    largest = std::max(largest, std::abs(value));
+    least = std::min(least, value);
+  }
+  largest = maxOverRanks(largest, communicator);
+  const double lowest = minOverRanks(least, communicator);
+  std::array<double, 2> measure{};
+  int first = -1;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    const double weight = surface.slides(node) ? surface[node].weight : 0;
+    measure[0] += pressure[node] < -rounding * largest ? weight : 0;
+    measure[1] += weight;
+    first = pressure[node] == lowest && first < 0 ? node : first;
+  }
+  measure = sumOverRanks(measure, communicator);
+  if (!(measure[0] > 0)) {
+    return {};
+  }
+  const int rank = communicator.getRank(), none = communicator.getSize();
+  const int of_place = minOverRanks(first < 0 ? none : rank, communicator);
+  auto const place =
+    sumOverRanks(of_place == rank ? surface[first].place : std::array<double, 3>{}, communicator);
+  return {{"tension at the start",
+           "The static solution pulls at " +
+             formatShort(std::round(1000 * measure[0] / measure[1]) / 10) +
+             " % of the fault, most with " + formatShort(-lowest) + " Pa of tension at " +
+             formatPoint({place[0], place[1], place[2]}) +
+             " m: the normal stress of friction is set to zero there, and the model holds the "
+             "fault shut. "
+             "Check Gravity Direction, Up and the boundary conditions, or give a Normal Stress."}};
+}
+
+struct NormalStressOfDeck
+{
+  dynamics::NormalStress normal_stress;
+  std::vector<Warning> warnings;
+};
+
+template <int Dim>
+NormalStressOfDeck makeNormalStress(SetupContext<Dim> const& context,
+                                    std::vector<double> const& pressure)
+{
+  auto const& friction = context.friction();
+  auto const& nodes = context.site.nodes;
+  const double factor = context.settings.friction.normal_stress_factor;
+  auto const constant = [factor](std::vector<double> const& values) {
+    return dynamics::NormalStress(
+      toDevice(compression(values, factor), "asperity::scenario::normalStress"));
+  };
+  if (!isGiven(friction, "Normal Stress")) {
+    return {constant(pressure), tensionAtStart(pressure, *context.site.surface)};
+  }
+  const NodalField given(Field(friction, "Normal Stress", friction_path, nodes.region_names),
+                         nodes);
+  auto const at_start = givenStress(given, nodes);
+  if (!given.dependsOnTime()) {
+    return {constant(at_start), {}};
+  }
+  return {dynamics::NormalStress([given, factor](double t, NodeView const& sigma_n) {
+            Kokkos::deep_copy(sigma_n, toDevice(compression(given.at(t), factor),
+                                                "asperity::scenario::normalStress"));
+          }),
+          {}};
+}
+
+// ln(sigma_n) has to be finite wherever its change shifts the state.
+void requirePressure(FieldNodes const& nodes, std::vector<double> const& c_over_b,
+                     dynamics::NormalStress const& normal_stress)
+{
+  if (c_over_b.empty() || normal_stress.floor() > 0) {
+    return;
+  }
+  auto const refused = joinPath(friction_path, "c") + " > 0 needs a normal stress above zero, ";
+  ASPERITY_REQUIRE(!normal_stress.dependsOnTime() &&
+                     normal_stress.change() == dynamics::NormalStressChange::fixed,
+                   refused << "and this one changes. Give a Normal Stress Floor above zero.");
+  const NodeView sigma("asperity::scenario::sigma_n", c_over_b.size());
+  normal_stress.at(0, sigma);
+  auto const values = toHost(sigma);
+  for (std::size_t i = 0; i < c_over_b.size(); ++i) {
+    ASPERITY_REQUIRE(c_over_b[i] == 0 || values(i) > 0,
+                     refused << "and it is " << values(i) << " Pa at x = " << nodes.text(i)
+                             << ". Set c to zero there, or give a Normal Stress Floor.");
+  }
+}
+
+dynamics::NodalFunction functionOf(NodalField const& field)
+{
+  return {field.dependsOnTime(), [field](double t) { return field.at(t); }};
+}
+
+dynamics::FaultProcesses enabledProcesses(ParameterList const& list, FaultSite const& site,
+                                          std::shared_ptr<const fem::FaultMesh> const& mesh)
+{
+  auto const& nodes = site.nodes;
+  dynamics::FaultProcesses result;
+  auto const& processes = dynamics::FaultProcessRegistry::instance();
+  for (auto const& name : processes.names()) {
+    auto const& parameters = list.sublist(name);
+    if (parameters.get<bool>("Enabled")) {
+      auto const path = joinPath(friction_path, name);
+      const auto values = [&](std::string const& entry) {
+        return nodalValues(parameters, entry, path, nodes);
+      };
+      const auto in_time = [&](std::string const& entry) {
+        return functionOf({Field(parameters, entry, path, nodes.region_names), nodes});
+      };
+      result.push_back(processes.at(name).make(
+        parameters, {*site.surface, mesh, nodes.places, values, in_time, path}));
+      if (char const* needed = result.back()->stateVariable()) {
+        requireState(list, needed, path);
+      }
+    }
+  }
+  return result;
+}
+
+// Null if friction takes the effective normal stress at once.
+template <int Dim>
+std::shared_ptr<const dynamics::FaultProcess> regularisation(SetupContext<Dim> const& context,
+                                                             dynamics::FaultProcesses const& before)
+{
+  if (context.settings.friction.change != regularisation_list) {
+    return nullptr;
+  }
+  auto const& own = context.friction().sublist(regularisation_list);
+  auto const& nodes = context.site.nodes;
+  auto const path = joinPath(friction_path, regularisation_list);
+  ASPERITY_REQUIRE(isGiven(own, regularisation_slip) || isGiven(own, regularisation_time),
+                   path << ": neither " << regularisation_slip << " nor " << regularisation_time
+                        << " is given, so that friction would never follow the normal stress. Give "
+                           "one of them or both; with Normal Stress Change = Fixed it does not.");
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const auto scale = [&](char const* entry) {
+    return isGiven(own, entry) ? nodalValues(own, entry, path, nodes)
+                               : std::vector<double>(nodes.ids.size(), never);
+  };
+  dynamics::RegularisationScales scales;
+  onEveryRank(context.communicator(), [&] {
+    scales = {scale(regularisation_slip), scale(regularisation_time)};
+  });
+  return dynamics::makeRegularisedStress(*context.site.surface, scales, before);
+}
+} // namespace
+
+template <int Dim>
+FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> const& pressure)
+{
+  auto const& settings = context.settings.friction;
+  auto const& list = context.friction();
+  auto const& site = context.site;
+  auto const& nodes = site.nodes;
+  auto given = makeNormalStress(context, pressure);
+  requireSameState(list);
+  auto const stress = given.normal_stress.following(
+    context.bodyPresses() ? settings.normalStressChange() : dynamics::NormalStressChange::fixed,
+    settings.floor);
+  std::vector<double> c_over_b;
+  friction::TableView table;
+  onEveryRank(context.communicator(), [&] {
+    table = stateTable(list);
+    c_over_b = stressSensitivities(list, nodes);
+    requirePressure(nodes, c_over_b, stress);
+  });
+  auto const processes =
+    enabledProcesses(list, site, fem::makeFaultMesh(context.discretisation.mesh, *site.surface));
+  return {
+    {site.surface,
+     {settings.laws.friction, frictionLawValues(list, nodes),
+      toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
+      settings.laws.state, stateLawValues(list, nodes), site.radiation_damping,
+      toDevice(c_over_b, "asperity::scenario::stressSensitivity"), processes, table,
+      regularisation(context, processes)},
+     stress},
+    std::move(given.warnings)};
+}
+
+template FaultAtStart makeFault(SetupContext<2> const&, std::vector<double> const&);
+template FaultAtStart makeFault(SetupContext<3> const&, std::vector<double> const&);
+} // namespace asperity::scenario
