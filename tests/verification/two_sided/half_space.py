@@ -26,11 +26,8 @@ def rectangle(x, strike, dip, width, length, poisson, top=0.0):
     and along strike, z, from -length/2 to length/2 (Okada 1985, equations 25 to 30, dip slip)."""
     s, c = math.sin(dip), math.cos(dip)
     ratio = 1 - 2 * poisson  # G / (lambda + G)
-    # Okada's x is along strike, his y horizontal and up dip, both from the lower edge
-    across, depth = width * c - x, width * s
-    p, q = across * c + depth * s, across * s - depth * c
 
-    def corner(xi, eta):
+    def corner(xi, eta, q):
         R, X = numpy.sqrt(xi**2 + eta**2 + q**2), numpy.sqrt(xi**2 + q**2)
         y, d = eta * c + q * s, eta * s - q * c
         I4 = ratio / c * (numpy.log(R + d) - s * numpy.log(R + eta))
@@ -45,8 +42,34 @@ def rectangle(x, strike, dip, width, length, poisson, top=0.0):
                             y * q * beyond + c * angle - I1 * s * c,
                             d * q * beyond + s * angle - I5 * s * c))
 
+    return _of_corners(corner, x, strike, dip, width, length, top)
+
+
+def vertical_strike_slip(x, strike, width, length, poisson, top=0.0):
+    """(u_x, u_z, u_up) of unit slip on a vertical rectangle, placed as in `rectangle`; the side
+    x > 0 moves along +z (Okada 1985, equations 25 and 29, strike slip)."""
+    ratio = 1 - 2 * poisson  # G / (lambda + G)
+
+    def corner(xi, eta, q):  # with dip 90: y = q, d = eta
+        R = numpy.sqrt(xi**2 + eta**2 + q**2)
+        I1 = -ratio / 2 * xi * q / (R + eta)**2
+        I3 = ratio / 2 * (eta / (R + eta) + (q / (R + eta))**2 - numpy.log(R + eta))
+        I2 = -ratio * numpy.log(R + eta) - I3
+        I4 = -ratio * q / (R + eta)
+        return numpy.stack((xi * q / (R * (R + eta)) + numpy.arctan(xi * eta / (q * R)) + I1,
+                            q * q / (R * (R + eta)) + I2,
+                            eta * q / (R * (R + eta)) + q / (R + eta) + I4))
+
+    return _of_corners(corner, x, strike, math.pi / 2, width, length, top)
+
+
+def _of_corners(corner, x, strike, dip, width, length, top):
+    # Okada's x is along strike, his y horizontal and up dip, both from the lower edge
+    s, c = math.sin(dip), math.cos(dip)
+    across, depth = width * c - x, width * s
+    p, q = across * c + depth * s, across * s - depth * c
     west, east = strike + length / 2, strike - length / 2
     down = width - top
-    along, up_dip, up = -(corner(west, p) - corner(west, p - down)
-                          - corner(east, p) + corner(east, p - down)) / (2 * math.pi)
+    along, up_dip, up = -(corner(west, p, q) - corner(west, p - down, q)
+                          - corner(east, p, q) + corner(east, p - down, q)) / (2 * math.pi)
     return numpy.stack((-up_dip, along, up))
