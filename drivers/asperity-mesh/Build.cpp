@@ -109,6 +109,9 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry)
   }
   tell("read " + std::to_string(settings.model.num_faults) + " faults; " +
        std::to_string(triangles) + " triangles with ground and walls");
+  for (auto const& remark : settings.remarks) {
+    std::cout << remark << '\n';
+  }
   const auto arranged = asperity::geometry::arrangeSurfaces(settings);
   tell("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
   report(arranged, settings.model, std::cout);

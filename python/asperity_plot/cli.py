@@ -21,6 +21,9 @@ def main(arguments: Optional[List[str]] = None) -> int:
     options = _parse(arguments)
     if options.dpi < 30 or options.dpi > 1200:
         raise InputError(f"--dpi {options.dpi} is outside [30, 1200]. Use 200 for a printed page.")
+    if options.directory.is_file():
+        from .mesh_report import report_mesh  # here, since modules may be missing
+        return report_mesh(options)
     if options.every and min(options.every) <= 0.0:
         raise InputError("--every needs two times above 0, such as 5yr 1s.")
     from .report import report  # here, since modules may be missing
@@ -31,11 +34,16 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     listing = "\n".join(_line(name, *of) for name, of in FIGURES.items())
     parser = argparse.ArgumentParser(
         prog=PROGRAM, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Draws figures of a run of asperity as PNG, PDF or SVG.",
+        description="Draws figures of a run of asperity, or one of a mesh file, as PNG, PDF or SVG.",
         epilog="figures, and the file of the run that each needs:\n" + listing)
-    parser.add_argument("directory", metavar="DIR", type=Path, help="the run's output directory")
+    parser.add_argument("directory", metavar="DIR or MESH.h5", type=Path,
+                        help="the run's output directory, or a file of a mesh in space, of which "
+                             "a map and a section are drawn")
     parser.add_argument("--output", metavar="DIR", type=Path,
-                        help="where the figures go (default: figures in the run's directory)")
+                        help="where the figures go (default: figures in the run's directory, or "
+                             "beside the mesh file)")
+    parser.add_argument("--up", choices=("y", "z"), default="z",
+                        help="of a mesh: the axis that points up (default: z)")
     parser.add_argument("--figures", metavar="NAME[,NAME...]", type=_names,
                         help="which to draw (default: all that the run has data for)")
     parser.add_argument("--events", action="store_true",

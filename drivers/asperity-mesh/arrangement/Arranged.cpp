@@ -23,24 +23,6 @@ Point<3> middleOf(Complex const& complex, Edge const& edge)
   }
   return middle;
 }
-
-// From the edge into the triangle, of length 1.
-Point<3> inward(Complex const& complex, Edge const& edge, Triangle const& triangle)
-{
-  int apex = triangle[0];
-  for (int v : triangle) {
-    apex = v != edge[0] && v != edge[1] ? v : apex;
-  }
-  auto const& a = complex.points[edge[0]];
-  const auto along = mesh::difference<3>(complex.points[edge[1]], a);
-  auto in = mesh::difference<3>(complex.points[apex], a);
-  const double share = mesh::dot<3>(in, along) / mesh::dot<3>(along, along);
-  for (int d = 0; d < 3; ++d) {
-    in[d] -= share * along[d];
-  }
-  const double length = std::sqrt(mesh::dot<3>(in, in));
-  return {in[0] / length, in[1] / length, in[2] / length};
-}
 } // namespace
 
 Arranged arrangeModel(Model model, ArrangementOptions const& options, SizeFromFaults const& sizes)
@@ -106,8 +88,8 @@ AngleAt smallestAngle(Complex const& complex, Model const& model)
     }
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        const auto u = inward(complex, edge, complex.triangles[triangles[i]]);
-        const auto v = inward(complex, edge, complex.triangles[triangles[j]]);
+        const auto u = inward(complex.points, edge, complex.triangles[triangles[i]]);
+        const auto v = inward(complex.points, edge, complex.triangles[triangles[j]]);
         const double degrees =
           std::acos(std::clamp(mesh::dot<3>(u, v), -1., 1.)) * 180 / std::acos(-1.);
         if (degrees < smallest.degrees) {

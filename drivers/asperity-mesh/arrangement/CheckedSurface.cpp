@@ -1,5 +1,7 @@
 #include "arrangement/CheckedSurface.hpp"
 
+#include "arrangement/Sheets.hpp"
+
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
@@ -88,7 +90,7 @@ void requireEdges(TriangleSurface const& surface, TrianglesAtEdges const& at_edg
                                                   << " triangles meet at the edge from "
                                                   << placeText(surface.points[edge[0]]) << " to "
                                                   << placeText(surface.points[edge[1]])
-                                                  << ". Give each sheet as a fault of its own.");
+                                                  << ". Give each sheet as a surface of its own.");
   }
 }
 
@@ -138,9 +140,9 @@ void orient(TriangleSurface& surface, TrianglesAtEdges const& at_edges, std::str
     }
   }
 }
-} // namespace
 
-TriangleSurface checkedSurface(TriangleSurface const& surface, std::string const& where)
+// With points that are equal made one, and triangles that have an area.
+TriangleSurface welded(TriangleSurface const& surface, std::string const& where)
 {
   requireNumbers(surface, where);
   const double extent = extentOf(surface.points);
@@ -171,9 +173,29 @@ TriangleSurface checkedSurface(TriangleSurface const& surface, std::string const
     result.triangles.push_back(triangle);
   }
   ASPERITY_REQUIRE(!result.triangles.empty(), where << " has no triangle with an area.");
-  const auto at_edges = trianglesAtEdges(result.triangles);
-  requireEdges(result, at_edges, where);
-  orient(result, at_edges, where);
   return result;
+}
+
+TriangleSurface oriented(TriangleSurface surface, std::string const& where)
+{
+  const auto at_edges = trianglesAtEdges(surface.triangles);
+  requireEdges(surface, at_edges, where);
+  orient(surface, at_edges, where);
+  return surface;
+}
+} // namespace
+
+TriangleSurface checkedSurface(TriangleSurface const& surface, std::string const& where)
+{
+  return oriented(welded(surface, where), where);
+}
+
+std::vector<TriangleSurface> checkedSheets(TriangleSurface const& surface, std::string const& where)
+{
+  std::vector<TriangleSurface> sheets;
+  for (auto& sheet : sheetsOf(welded(surface, where))) {
+    sheets.push_back(oriented(std::move(sheet), where));
+  }
+  return sheets;
 }
 } // namespace asperity::geometry

@@ -11,4 +11,8 @@ namespace asperity::geometry
 // triangle names a point that is not there, is given twice or has no area; more than two triangles
 // meet at an edge; the surface has only one side (a Moebius strip).
 TriangleSurface checkedSurface(TriangleSurface const& surface, std::string const& where);
+
+// The same for a surface that may branch: its sheets (sheetsOf), each checked.
+std::vector<TriangleSurface> checkedSheets(TriangleSurface const& surface,
+                                           std::string const& where);
 } // namespace asperity::geometry

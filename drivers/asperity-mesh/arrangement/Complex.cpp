@@ -51,6 +51,23 @@ Point<3> centroidOf(std::vector<Point<3>> const& points, Triangle const& triangl
   return sum;
 }
 
+Point<3> inward(std::vector<Point<3>> const& points, Edge const& edge, Triangle const& triangle)
+{
+  int apex = triangle[0];
+  for (int v : triangle) {
+    apex = v != edge[0] && v != edge[1] ? v : apex;
+  }
+  auto const& a = points[edge[0]];
+  const auto along = mesh::difference<3>(points[edge[1]], a);
+  auto in = mesh::difference<3>(points[apex], a);
+  const double share = mesh::dot<3>(in, along) / mesh::dot<3>(along, along);
+  for (int d = 0; d < 3; ++d) {
+    in[d] -= share * along[d];
+  }
+  const double length = std::sqrt(mesh::dot<3>(in, in));
+  return {in[0] / length, in[1] / length, in[2] / length};
+}
+
 void keepTriangles(Complex& complex, std::vector<bool> const& is_kept, std::vector<int>* points)
 {
   Complex kept;

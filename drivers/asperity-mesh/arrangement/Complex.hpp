@@ -45,6 +45,8 @@ Point<3> normalOf(std::vector<Point<3>> const& points, Triangle const& triangle)
 double areaOf(std::vector<Point<3>> const& points, Triangle const& triangle); // [m^2]
 double areaOf(TriangleSurface const& surface);                                // [m^2]
 Point<3> centroidOf(std::vector<Point<3>> const& points, Triangle const& triangle);
+// From an edge into a triangle at it, at right angles to the edge, of length 1.
+Point<3> inward(std::vector<Point<3>> const& points, Edge const& edge, Triangle const& triangle);
 
 // Leaves out triangles, and points that no triangle is left at. `points`, if given, gets the new
 // number of each point, or -1.

@@ -38,19 +38,6 @@ TriangleTree treeOfOthers(Model const& model, int self)
   return {points, triangles};
 }
 
-// In the plane of the triangle, perpendicular to its side, away from it.
-Point<3> outward(TriangleSurface const& surface, Triangle const& triangle, Edge const& side)
-{
-  auto const& a = surface.points[side[0]];
-  const auto along = unit(mesh::difference<3>(surface.points[side[1]], a));
-  int apex = triangle[0];
-  for (int v : triangle) {
-    apex = v != side[0] && v != side[1] ? v : apex;
-  }
-  const auto in = mesh::difference<3>(surface.points[apex], a);
-  return unit(plus(scaled(along, mesh::dot<3>(in, along)), scaled(in, -1)));
-}
-
 // Where the border near other surfaces goes: (point, displacement).
 std::map<int, Point<3>> displacements(TriangleSurface const& surface, TriangleTree const& others,
                                       double snap)
@@ -70,7 +57,8 @@ std::map<int, Point<3>> displacements(TriangleSurface const& surface, TriangleTr
     }
     const bool first = isNear(side[0]), second = isNear(side[1]);
     if (first && second) {
-      const auto direction = outward(surface, surface.triangles[triangles[0]], side);
+      const auto direction =
+        scaled(inward(surface.points, side, surface.triangles[triangles[0]]), -1);
       for (int v : side) {
         sums[v] = plus(sums[v], direction);
       }

@@ -137,12 +137,12 @@ Box boxFrom(ParameterList const& list, std::vector<NamedSurface> const& faults)
   return box;
 }
 
-BoxNames namesFrom(ParameterList const& box, ParameterList const& faults)
+BoxNames namesFrom(ParameterList const& box, std::vector<NamedSurface> const& faults)
 {
   BoxNames names;
   std::vector<std::string> known;
   for (auto const& fault : faults) {
-    known.push_back(fault.first);
+    known.push_back(fault.name);
   }
   const auto read = [&](std::string const& key, std::string& name) {
     name = box.get<std::string>(key);
@@ -160,16 +160,55 @@ BoxNames namesFrom(ParameterList const& box, ParameterList const& faults)
   return names;
 }
 
-std::vector<NamedSurface> faultsFrom(ParameterList const& list, SurfaceContext const& context)
+// A fault, or a sheet of one that branches, and the list that it stands in.
+struct GivenFault
 {
-  std::vector<NamedSurface> faults;
+  NamedSurface named;
+  std::string list;
+};
+
+std::vector<GivenFault> faultsFrom(ParameterList const& list, SurfaceContext const& context)
+{
+  std::vector<GivenFault> faults;
   for (auto const& entry : list) {
     auto const& name = entry.first;
     const auto path = joinPath(std::string(root) + " / Faults", name);
-    faults.push_back({name, checkedSurface(makeSurface(list.sublist(name), path, context),
-                                           "Fault '" + name + "'")});
+    auto sheets =
+      checkedSheets(makeSurface(list.sublist(name), path, context), "Fault '" + name + "'");
+    for (std::size_t i = 0; i < sheets.size(); ++i) {
+      const auto own = sheets.size() == 1 ? name : name + "." + std::to_string(i + 1);
+      ASPERITY_REQUIRE(own == name || !list.isSublist(own),
+                       path << " branches, and its sheet " << i + 1 << " would be called '" << own
+                            << "', as another fault is. Give that one another name.");
+      faults.push_back({{own, std::move(sheets[i])}, name});
+    }
   }
   return faults;
+}
+
+std::vector<NamedSurface> surfacesOf(std::vector<GivenFault> const& faults)
+{
+  std::vector<NamedSurface> surfaces;
+  for (auto const& fault : faults) {
+    surfaces.push_back(fault.named);
+  }
+  return surfaces;
+}
+
+std::vector<std::string> remarksOn(std::vector<GivenFault> const& faults)
+{
+  std::map<std::string, std::string> sheets;
+  for (auto const& fault : faults) {
+    if (fault.named.name != fault.list) {
+      auto& names = sheets[fault.list];
+      names += (names.empty() ? "'" : ", '") + fault.named.name + "'";
+    }
+  }
+  std::vector<std::string> remarks;
+  for (auto const& [fault, names] : sheets) {
+    remarks.push_back("fault '" + fault + "' branches; its sheets become the faults " + names);
+  }
+  return remarks;
 }
 
 SurfaceContext contextFrom(ParameterList const& list, std::string const& folder,
@@ -242,7 +281,7 @@ BuildSettings readBuildSettings(ParameterList& list, std::string const& folder)
   auto context = contextFrom(list, folder, projection);
   BuildSettings settings;
   auto given = faultsFrom(faults, context);
-  const auto box = boxFrom(list.sublist("Box"), given);
+  const auto box = boxFrom(list.sublist("Box"), surfacesOf(given));
   TriangleSurface ground;
   if (has_ground) {
     context.area = areaAround(box);
@@ -250,18 +289,21 @@ BuildSettings readBuildSettings(ParameterList& list, std::string const& folder)
       makeSurface(list.sublist("Ground"), std::string(root) + " / Ground", context), "The ground");
     context.area.reset();
     context.highest_ground = highest(ground);
-    given = faultsFrom(faults, context); // those that go up to the ground
+    context.tell = [](std::string const&) {}; // what is known
+    given = faultsFrom(faults, context);      // those that go up to the ground
   }
-  const auto names = namesFrom(list.sublist("Box"), faults);
+  auto surfaces = surfacesOf(given);
+  const auto names = namesFrom(list.sublist("Box"), surfaces);
   for (auto const& fault : given) {
-    auto const& of_fault = faults.sublist(fault.name);
+    auto const& of_fault = faults.sublist(fault.list);
     const bool is_own = isGiven(of_fault, "Cell Size");
     settings.sizes.emplace_back(is_own ? of_fault : list, "Cell Size",
-                                is_own ? joinPath(std::string(root) + " / Faults", fault.name)
+                                is_own ? joinPath(std::string(root) + " / Faults", fault.list)
                                        : root,
                                 std::vector<std::string>{"body"});
   }
-  settings.model = makeModel(std::move(given), std::move(ground), box, names);
+  settings.remarks = remarksOn(given);
+  settings.model = makeModel(std::move(surfaces), std::move(ground), box, names);
   settings.growth = list.get<double>("Growth");
   settings.largest = list.get<double>("Largest");
   settings.stub_share = list.get<double>("Trim Stubs");

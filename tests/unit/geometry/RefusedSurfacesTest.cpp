@@ -129,6 +129,51 @@ TEST(Refused, ThreeSheetsAtAnEdge)
   expectWords(refusal([&] { checkedSurface(surface, "F"); }), {"3 triangles meet", "(1, 0, 0) km"});
 }
 
+// At x = 0 the parts x < 0 and x > 0 go on as one sheet, though the branch starts the list and bends
+// less than 90 degrees; farther on, at x = 2 km, another one leaves to the other side.
+TEST(Sheets, GoOnWhereTheyBendLeast)
+{
+  TriangleSurface tree;
+  const auto addStrip = [&](double x0, double y0, double x1, double y1) {
+    const auto first = static_cast<int>(tree.points.size());
+    for (auto const& [x, y] : {std::pair(x0, y0), std::pair(x1, y1)}) {
+      tree.points.push_back({x * km, y * km, 0});
+      tree.points.push_back({x * km, y * km, -3 * km});
+    }
+    tree.triangles.push_back({first, first + 2, first + 3});
+    tree.triangles.push_back({first + 3, first + 1, first});
+  };
+  addStrip(0, 0, 1, 1);
+  addStrip(0, 0, -2, 0.1);
+  addStrip(2, 0, 0, 0);
+  addStrip(2, 0, 5, -0.2);
+  addStrip(2, 0, 3, -2);
+  const auto sheets = checkedSheets(tree, "F");
+  ASSERT_EQ(sheets.size(), 3u);
+  const double through = std::hypot(2, 0.1) + 2 + std::hypot(3, 0.2);
+  EXPECT_NEAR(areaOf(sheets[0]), through * 3 * km * km, 1);
+  EXPECT_NEAR(areaOf(sheets[1]), std::sqrt(5) * 3 * km * km, 1);
+  EXPECT_NEAR(areaOf(sheets[2]), std::sqrt(2) * 3 * km * km, 1);
+  EXPECT_EQ(sheets[0].points.size(), 8u);
+  EXPECT_EQ(checkedSheets(mainFault().surface, "F").size(), 1u);
+}
+
+// Two parts that lie side by side without an edge in common stay one fault.
+TEST(Sheets, PartsThatDoNotMeetAreOne)
+{
+  auto both = mainFault().surface;
+  const auto number = static_cast<int>(both.points.size());
+  const auto other = crossingFault().surface;
+  both.points.insert(both.points.end(), other.points.begin(), other.points.end());
+  for (auto triangle : other.triangles) {
+    for (int& v : triangle) {
+      v += number;
+    }
+    both.triangles.push_back(triangle);
+  }
+  EXPECT_EQ(checkedSheets(both, "F").size(), 1u);
+}
+
 TEST(Refused, MoebiusStrip)
 {
   TriangleSurface strip;

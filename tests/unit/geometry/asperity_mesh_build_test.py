@@ -141,6 +141,58 @@ class Build(unittest.TestCase):
         self.assertEqual(times.sub("", result.stdout), times.sub("", by_deck))
         self.assertFalse(list(pathlib.Path(".").glob("*.h5")))
 
+    def test_vertical_axis(self):
+        # The fault has x from 0 to 6 km, y to the north from 0.02 to 6.02 km. In the mesh y is up
+        # and z points to the south.
+        result = run(MESH, "build", "built.h5", "--fault", "branch=branch.off", "--units", "km",
+                     *OPTIONS, "--set", "Vertical Axis=y")
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        info = run(MESH, "info", "built.h5").stdout
+        self.assertIn("[-15000, 21000] x [-25000, 0] x [-21020, 14980] m", info)
+        self.assertRegex(info, r"volume +3\.24e\+13 m\^3")
+
+    def test_sheets_of_a_fault_that_branches(self):
+        # The north branch goes on along x, the other one leaves at x = 0, y = 0 by 45 degrees.
+        corners = [(-10, 0), (0, 0), (10, 0), (6, 6)]
+        points = [f"{x} {y} {z}" for x, y in corners for z in (1.0, -10.0)]
+        faces = [face for i, j in ((0, 1), (1, 2), (1, 3))
+                 for face in (f"3 {2 * i} {2 * j} {2 * j + 1}",
+                              f"3 {2 * i} {2 * j + 1} {2 * i + 1}")]
+        text = "\n".join(["OFF", f"{len(points)} {len(faces)} 0", *points, *faces])
+        pathlib.Path("tree.off").write_text(text + "\n", encoding="utf-8")
+        arguments = ["--fault", "tree=tree.off,size=3000", "--units", "km", *OPTIONS]
+        result = run(MESH, "build", "built.h5", *arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        self.assertIn("fault 'tree' branches; its sheets become the faults 'tree.1', 'tree.2'",
+                      result.stdout)
+        self.assertRegex(result.stdout, r"fault 'tree.1': \d+ facets, 200 km\^2")
+        self.assertRegex(result.stdout, r"fault 'tree.2': \d+ facets, 84\.85\d* km\^2")
+        info = run(MESH, "info", "built.h5").stdout
+        for name in ("tree.1", "tree.2"):
+            self.assertIn(f"fault            {name}: ", info)
+        pathlib.Path("built.h5").unlink()
+        self.assert_refused(["out.h5", "--fault", "tree.2=far.off", *arguments],
+                            "Faults / tree branches", "'tree.2'", "another name")
+
+    def test_other_options_say_the_same(self):
+        pathlib.Path("trace.txt").write_text("9.9 45\n10.1 45\n", encoding="utf-8")
+        heights = "\n".join(["ncols 3", "nrows 3", "xllcorner -60", "yllcorner -60", "cellsize 40",
+                             "NODATA_value -9999", *["0.5 0.5 0.5"] * 3])
+        pathlib.Path("dem.asc").write_text(heights + "\n", encoding="utf-8")
+        projection = "+proj=tmerc +lat_0=45 +lon_0=10 +datum=WGS84"
+        words = ["--dry", "--fault", "t=trace.txt,dip=90,depth=10km,units=degrees,depth-units=km",
+                 *OPTIONS[:4], "--margin", "20km", "--depth", "30km"]
+        short = run(MESH, "build", *words, "--ground", "dem.asc,units=km,depth-units=km", "--growth",
+                    "0.5", "--snap", "20m", "--projection", projection)
+        long = run(MESH, "build", *words, "--ground", "dem.asc,units=km,depth-units=km",
+                   *(word for entry in ("Growth=0.5", "Snap=20", f"Projection={projection}")
+                     for word in ("--set", entry)))
+        self.assertEqual((short.returncode, short.stderr), (0, ""), short.stdout)
+        times = re.compile(r"^ *[0-9.]+ s ", re.MULTILINE)
+        self.assertEqual(times.sub("", short.stdout), times.sub("", long.stdout))
+        # 0.2 degrees of longitude at 45 degrees are 15.77 km; 10.5 km from the ground down
+        self.assertRegex(short.stdout, r"fault 't': 165\.[5-7]\d* km\^2")
+
     def test_units_are_not_guessed(self):
         self.assert_refused(["out.h5", "--fault", "main=main.off", *OPTIONS], "Faults / main",
                             "Units")
