@@ -9,6 +9,7 @@
 #include "mesh/TouchingFacets.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 
 namespace
@@ -44,6 +45,20 @@ void writeConverted(asperity::GlobalMesh<Dim> const& mesh, std::string const& wh
   std::cout << extents(mesh) << '\n';
 }
 
+// To metres.
+double factor(std::string const& units, std::optional<double> const& scale)
+{
+  ASPERITY_REQUIRE(!scale || *scale > 0, "Option --scale = " << asperity::formatNumber(*scale)
+                                                             << " is outside (0, inf).");
+  ASPERITY_REQUIRE(units.empty() || units == "m" || units == "km",
+                   "Option --units = " << units
+                                       << " is neither m nor km. For other units give --scale, "
+                                          "their size in metres.");
+  ASPERITY_REQUIRE(units.empty() || !scale,
+                   "Options --units and --scale are both given. Give one of them.");
+  return scale.value_or(units == "km" ? 1000 : 1);
+}
+
 // "IN.geo, IN.msh or IN.puml.h5"
 std::string alternatives(std::vector<std::string> const& endings, std::string const& name)
 {
@@ -58,24 +73,33 @@ std::string alternatives(std::vector<std::string> const& endings, std::string co
 void convert(Arguments& arguments)
 {
   std::vector<std::string> settings, names, region_names, without;
-  double scale = 1;
+  std::string units, array;
+  std::optional<double> scale;
+  bool simplices = false;
   arguments.values("--set", settings, "NAME=VALUE", "replace a number of DefineConstant in a .geo")
     .values("--names", names, "NUMBER=NAME,...",
             "names of boundaries and faults by the numbers that the file has for them, as "
-            "\"1=free,3=fault,5=far\"; groups of Gmsh without a name are called boundary_1, "
-            "boundary_3, codes of SeisSol by their meaning, as free_surface and fault")
+            "\"1=free,3=fault,5=far\", or by their names there, as \"old=new\"; groups without a "
+            "name are called boundary_1, boundary_3, codes of SeisSol by their meaning, as "
+            "free_surface and fault")
     .values("--region-names", region_names, "NUMBER=NAME,...", "the same for regions")
-    .values("--without", without, "NAME,...", "leave out these boundaries or faults");
-  arguments.number("--scale", scale, "factor of all coordinates: 1000 for a mesh in km");
+    .values("--without", without, "NAME,...", "leave out these boundaries or faults")
+    .value("--units", units, "m|km", "unit of the coordinates (m)")
+    .value("--array", array, "NAME",
+           "of VTK: cell data with the numbers of regions and boundaries");
+  arguments.number("--scale", scale, "factor of all coordinates to metres, instead of --units");
+  arguments.flag("--simplices", simplices,
+                 "cut quadrilaterals, hexahedra, prisms and pyramids into triangles and "
+                 "tetrahedra, and leave out nodes of second order");
   arguments.overwrite();
   if (!arguments.read({alternatives(knownEndings(), "IN"), "OUT.h5"})) {
     return;
   }
   auto const& from = arguments.file(0);
   auto const& to = arguments.file(1);
-  ASPERITY_REQUIRE(scale > 0,
-                   "Option --scale = " << asperity::formatNumber(scale) << " is outside (0, inf).");
-  const ReadOptions options = {{names, region_names, without}, scale, settings, to};
+  const GroupNames groups(names, region_names, without);
+  const AssemblyOptions assembly = {factor(units, scale), simplices, groups.without};
+  const ReadOptions options = {groups, assembly, settings, to, array};
   arguments.requireNew(to);
   const std::string where = "'" + from + "'";
   const auto [format, ending] = formatOf(from);

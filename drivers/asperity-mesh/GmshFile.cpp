@@ -4,7 +4,6 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "mesh/SimplexGeometry.hpp"
 
 #include <gmsh.h>
 
@@ -15,8 +14,6 @@
 #include <unordered_map>
 
 using asperity::GlobalMesh;
-using asperity::InputError;
-using asperity::Point;
 namespace model = gmsh::model;
 
 namespace
@@ -34,63 +31,102 @@ void requireMeshFormat(std::string const& file_name, std::string const& where)
                    where << " is not a mesh of Gmsh: it does not begin with $MeshFormat.");
 }
 
-// Vertices of the simplices of an entity, (num_simplices) x (dimension + 1).
-std::vector<Tag> simplices(int dimension, int entity, std::string const& where)
+// The elements of one type of an entity: cells or sides of cells.
+struct Elements
 {
-  const int wanted = std::array<int, 4>{15, 1, 2, 4}[dimension]; // Gmsh's linear simplices
+  int num_nodes = 0, num_corners = 0;
+  std::vector<Tag> tags, nodes; // (number), (number) x (num_nodes)
+};
+
+std::vector<Elements> elementsOf(int dimension, int entity, std::string const& where)
+{
   std::vector<int> types;
-  std::vector<std::vector<Tag>> tags, vertices;
-  model::mesh::getElements(types, tags, vertices, dimension, entity);
-  std::vector<Tag> all;
+  std::vector<std::vector<Tag>> tags, nodes;
+  model::mesh::getElements(types, tags, nodes, dimension, entity);
+  std::vector<Elements> all;
   for (std::size_t i = 0; i < types.size(); ++i) {
-    if (types[i] != wanted) {
-      std::string name;
-      int dim = 0, order = 0, num_nodes = 0, num_primary = 0;
-      std::vector<double> coordinates;
-      model::mesh::getElementProperties(types[i], name, dim, order, num_nodes, coordinates,
-                                        num_primary);
-      throw InputError(where + " has cells of type '" + name + "', the first with tag " +
-                       std::to_string(tags[i].front()) +
-                       ". Only triangles and tetrahedra of first order can be read.");
-    }
-    all.insert(all.end(), vertices[i].begin(), vertices[i].end());
+    std::string name;
+    int dim = 0, order = 0;
+    std::vector<double> coordinates;
+    Elements found;
+    model::mesh::getElementProperties(types[i], name, dim, order, found.num_nodes, coordinates,
+                                      found.num_corners);
+    const bool is_known = dim < 2 || !sidesOf(dim, found.num_corners).empty();
+    ASPERITY_REQUIRE(is_known && (order == 1 || order == 2) && dim >= 1,
+                     where << " has cells of type '" << name << "', the first with tag "
+                           << tags[i].front()
+                           << ". Only cells of first and, with --simplices, second order can be "
+                              "read.");
+    found.tags = std::move(tags[i]);
+    found.nodes = std::move(nodes[i]);
+    all.push_back(std::move(found));
   }
   return all;
 }
 
-template <int Dim>
 class Import
 {
 public:
-  Import(PhysicalGroups const& groups, double scale, std::string const& where)
+  Import(PhysicalGroups const& groups, int dimension, std::string const& where)
       : groups_(groups)
-      , scale_(scale)
       , where_(where)
+      , mesh_(dimension)
   {
   }
 
-  GlobalMesh<Dim> run()
+  ForeignMesh run()
   {
-    readCells();
     readVertices();
+    readCells();
     readBoundaries();
-    asperity::mesh::orientCells(mesh_);
-    asperity::mesh::orientFacets(mesh_);
-    asperity::mesh::checkMesh(mesh_, where_);
-    return mesh_;
+    return std::move(mesh_);
   }
 
 private:
+  // In the order of their tags.
+  void readVertices()
+  {
+    std::vector<Tag> tags;
+    std::vector<double> xyz, parameters;
+    model::mesh::getNodes(tags, xyz, parameters, -1, -1, false, false);
+    std::map<Tag, double const*> coordinates;
+    for (std::size_t i = 0; i < tags.size(); ++i) {
+      coordinates[tags[i]] = &xyz[3 * i];
+    }
+    for (auto const& [tag, x] : coordinates) {
+      position_[tag] = static_cast<int>(mesh_.vertices.size());
+      mesh_.vertices.push_back({x[0], x[1], x[2]});
+      mesh_.numbers.push_back(static_cast<std::int64_t>(tag));
+    }
+  }
+
+  std::vector<int> positions(Tag const* tags, int number) const
+  {
+    std::vector<int> result;
+    for (int i = 0; i < number; ++i) {
+      const auto found = position_.find(tags[i]);
+      ASPERITY_REQUIRE(found != position_.end(),
+                       where_ << ": a cell has node " << tags[i] << ", which has no coordinates.");
+      result.push_back(found->second);
+    }
+    return result;
+  }
+
   void readCells()
   {
     std::map<int, std::string> region_of_entity;
     for (auto const& group : groups_.regions) {
-      const int region = regionNumber(group.name);
+      const int region = mesh_.region(group.name);
       for (int entity : group.entities) {
         if (region_of_entity.emplace(entity, group.name).second) {
-          const auto vertices = simplices(Dim, entity, where_);
-          cell_vertices_.insert(cell_vertices_.end(), vertices.begin(), vertices.end());
-          mesh_.cell_regions.insert(mesh_.cell_regions.end(), vertices.size() / (Dim + 1), region);
+          for (auto const& cells : elementsOf(mesh_.dimension, entity, where_)) {
+            for (std::size_t i = 0; i < cells.tags.size(); ++i) {
+              mesh_.addCell(region,
+                            positions(&cells.nodes[i * static_cast<std::size_t>(cells.num_nodes)],
+                                      cells.num_nodes),
+                            cells.num_corners, static_cast<std::int64_t>(cells.tags[i]));
+            }
+          }
         }
       }
     }
@@ -100,106 +136,35 @@ private:
   void requireNamed(std::map<int, std::string> const& region_of_entity) const
   {
     gmsh::vectorpair entities;
-    model::getEntities(entities, Dim);
+    model::getEntities(entities, mesh_.dimension);
     for (auto const& [dim, entity] : entities) {
-      ASPERITY_REQUIRE(region_of_entity.count(entity) > 0 || simplices(dim, entity, where_).empty(),
+      ASPERITY_REQUIRE(region_of_entity.count(entity) > 0 ||
+                         elementsOf(dim, entity, where_).empty(),
                        where_ << ": " << entityName(dim) << " " << entity
                               << " has cells but is in no physical " << entityName(dim) << '.');
     }
   }
 
-  int regionNumber(std::string const& name)
-  {
-    auto& names = mesh_.region_names;
-    const auto found = std::find(names.begin(), names.end(), name);
-    const auto number = static_cast<int>(found - names.begin());
-    if (found == names.end()) {
-      names.push_back(name);
-    }
-    return number;
-  }
-
-  // Only vertices of cells are kept: Gmsh's files also hold the points from which lines and arcs
-  // were made.
-  void readVertices()
-  {
-    std::vector<Tag> tags;
-    std::vector<double> xyz, parameters;
-    model::mesh::getNodes(tags, xyz, parameters, -1, -1, false, false);
-    std::unordered_map<Tag, double const*> coordinates;
-    for (std::size_t i = 0; i < tags.size(); ++i) {
-      coordinates[tags[i]] = &xyz[3 * i];
-    }
-    const std::set<Tag> used(cell_vertices_.begin(), cell_vertices_.end());
-    double size = 0;
-    for (Tag tag : used) {
-      const auto found = coordinates.find(tag);
-      ASPERITY_REQUIRE(found != coordinates.end(),
-                       where_ << ": a cell has node " << tag << ", which has no coordinates.");
-      number_[tag] = static_cast<int>(mesh_.vertices.size());
-      std::transform(found->second, found->second + Dim, mesh_.vertices.emplace_back().begin(),
-                     [this](double x) { return scale_ * x; });
-      size = std::max(size,
-                      asperity::mesh::distance<Dim>(mesh_.vertices.back(), mesh_.vertices.front()));
-    }
-    for (std::size_t i = 0; i < cell_vertices_.size(); i += Dim + 1) {
-      mesh_.cells.push_back(simplex<Dim + 1>(&cell_vertices_[i]));
-    }
-    for (Tag tag : used) {
-      const double z = Dim == 2 ? scale_ * coordinates.at(tag)[2] : 0;
-      ASPERITY_REQUIRE(std::abs(z) <= 1e-9 * size,
-                       where_ << ": node " << tag << " has z = " << z
-                              << ". A two-dimensional mesh lies in the plane z = 0.");
-    }
-  }
-
-  template <std::size_t N>
-  std::array<int, N> simplex(Tag const* tags) const
-  {
-    std::array<int, N> vertices;
-    std::transform(tags, tags + N, vertices.begin(), [&](Tag tag) { return number_.at(tag); });
-    return vertices;
-  }
-
+  // Format 2.2 repeats a facet for each group of its entity.
   void readBoundaries()
   {
     for (auto const& group : groups_.boundaries) {
-      auto& facets = mesh_.boundaries[group.name];
-      std::set<std::array<Tag, Dim>> known; // by ascending tags
+      auto& sides = mesh_.group(group.name).sides;
       for (int entity : group.entities) {
-        const auto vertices = simplices(Dim - 1, entity, where_);
-        for (std::size_t i = 0; i < vertices.size(); i += Dim) {
-          std::array<Tag, Dim> sorted;
-          std::copy_n(&vertices[i], Dim, sorted.begin());
-          std::sort(sorted.begin(), sorted.end());
-          if (known.insert(sorted).second) { // format 2.2 repeats it for each group of its entity
-            requireSide(group.name, &vertices[i]);
-            facets.push_back(simplex<Dim>(&vertices[i]));
+        for (auto const& facets : elementsOf(mesh_.dimension - 1, entity, where_)) {
+          const auto step = static_cast<std::size_t>(facets.num_nodes);
+          for (std::size_t i = 0; i < facets.nodes.size(); i += step) {
+            sides.push_back(ForeignMesh::side(positions(&facets.nodes[i], facets.num_corners)));
           }
         }
       }
     }
   }
 
-  // Gmsh meshes a curve or a surface that is not embedded for itself.
-  void requireSide(std::string const& boundary, Tag const* vertices) const
-  {
-    for (Tag const* tag = vertices; tag != vertices + Dim; ++tag) {
-      ASPERITY_REQUIRE(
-        number_.count(*tag) > 0,
-        where_ << ": the facets of '" << boundary << "' are not sides of cells: its "
-               << "node " << *tag << " belongs to no cell. In Gmsh, embed it: "
-               << (Dim == 2 ? "Curve{...} In Surface{...};" : "Surface{...} In Volume{...};")
-               << " Or cut the body along it with BooleanFragments.");
-    }
-  }
-
   PhysicalGroups const& groups_;
-  double scale_;
   std::string const& where_;
-  GlobalMesh<Dim> mesh_;
-  std::vector<Tag> cell_vertices_;      // (num_cells) x (Dim + 1), Gmsh's tags
-  std::unordered_map<Tag, int> number_; // of the vertex with this tag
+  ForeignMesh mesh_;
+  std::unordered_map<Tag, int> position_; // of the vertex with this tag
 };
 
 // The number of parts that the file says a partitioned mesh has; 0 if it does not say it.
@@ -296,10 +261,8 @@ void passWarningsOn(std::string const& where)
 }
 } // namespace
 
-GmshFile::GmshFile(std::string const& file_name, std::string where, GroupNames const& names,
-                   double scale)
+GmshFile::GmshFile(std::string const& file_name, std::string where, GroupNames const& names)
     : where_(std::move(where))
-    , scale_(scale)
     , session_(false)
 {
   requireMeshFormat(file_name, where_);
@@ -319,10 +282,10 @@ int GmshFile::dimension() const
 }
 
 template <int Dim>
-GlobalMesh<Dim> GmshFile::mesh() const
+GlobalMesh<Dim> GmshFile::mesh(AssemblyOptions const& options) const
 {
-  return Import<Dim>(groups_, scale_, where_).run();
+  return assemble<Dim>(Import(groups_, Dim, where_).run(), options, where_);
 }
 
-template GlobalMesh<2> GmshFile::mesh() const;
-template GlobalMesh<3> GmshFile::mesh() const;
+template GlobalMesh<2> GmshFile::mesh(AssemblyOptions const&) const;
+template GlobalMesh<3> GmshFile::mesh(AssemblyOptions const&) const;

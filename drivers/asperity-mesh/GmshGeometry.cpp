@@ -173,11 +173,13 @@ void warnOfCellsNotSaved(PhysicalGroups const& groups, int dimension, std::strin
 void requireLinearSimplices(int dimension, std::string const& where)
 {
   const double order = option("Mesh.ElementOrder");
-  ASPERITY_REQUIRE(order == 1, where << ": Mesh.ElementOrder = " << order
-                                     << ", and only cells of first order can be read. Remove it.");
+  ASPERITY_REQUIRE(order == 1,
+                   where << ": Mesh.ElementOrder = " << order
+                         << ", and only cells of first order can be used. Remove it, or give "
+                            "--simplices, which leaves the other nodes out.");
   ASPERITY_REQUIRE(dimension == 3 || option("Mesh.RecombineAll") == 0,
-                   where << ": Mesh.RecombineAll makes quadrangles, and only triangles can be read "
-                            "in the plane. Remove it.");
+                   where << ": Mesh.RecombineAll makes quadrangles, and only triangles can be used "
+                            "in the plane. Remove it, or give --simplices, which cuts them.");
 }
 
 // Gmsh throws some errors in threads of its own, where they cannot be caught. Therefore it is told
@@ -228,7 +230,8 @@ bool isGeometry(std::string const& file_name)
 }
 
 std::string meshGeometry(std::string const& file_name, std::vector<std::string> const& settings,
-                         GroupNames const& names, std::function<std::string()> const& target)
+                         GroupNames const& names, bool allowed,
+                         std::function<std::string()> const& target)
 {
   const auto where = whereIs(file_name);
   const auto script = readScript(file_name);
@@ -242,7 +245,9 @@ std::string meshGeometry(std::string const& file_name, std::vector<std::string> 
   session.open(file_name, where);
   const int dimension = gmsh::model::getDimension();
   ASPERITY_REQUIRE(dimension >= 2, where << " has neither a surface nor a volume to be meshed.");
-  requireLinearSimplices(dimension, where);
+  if (!allowed) {
+    requireLinearSimplices(dimension, where);
+  }
   const auto groups = physicalGroups(dimension, names, where);
   tell(groups);
   warnOfCellsNotSaved(groups, dimension, where);

@@ -17,22 +17,23 @@ namespace
 constexpr char const* names_option = "--names";
 constexpr char const* regions_option = "--region-names";
 
-std::map<int, std::string> numberedNames(std::string const& option,
-                                         std::vector<std::string> const& texts)
+GivenNames givenNames(std::string const& option, std::vector<std::string> const& texts)
 {
-  std::map<int, std::string> names;
+  GivenNames names;
   for (auto const& text : texts) {
     for (auto const& piece : asperity::split(text, ',')) {
       const auto equals = piece.find('=');
-      const auto number = asperity::readInteger(asperity::trimmed(piece.substr(0, equals)));
+      const std::string old = asperity::trimmed(piece.substr(0, equals));
       const std::string name =
         equals == std::string::npos ? "" : asperity::trimmed(piece.substr(equals + 1));
-      ASPERITY_REQUIRE(number && !name.empty(), "Option "
-                                                  << option << ": '" << piece
-                                                  << "' is not of the form NUMBER=NAME. Write as "
-                                                  << option << " 1=free,3=fault,5=far.");
-      ASPERITY_REQUIRE(names.emplace(*number, name).second,
-                       "Option " << option << " gives a name to " << *number << " twice.");
+      ASPERITY_REQUIRE(!old.empty() && !name.empty(),
+                       "Option " << option << ": '" << piece
+                                 << "' is not of the form NUMBER=NAME or OLD=NEW. Write as "
+                                 << option << " 1=free,3=fault,5=far.");
+      const auto number = asperity::readInteger(old);
+      ASPERITY_REQUIRE(number ? names.by_number.emplace(*number, name).second
+                              : names.by_name.emplace(old, name).second,
+                       "Option " << option << " gives a name to " << old << " twice.");
     }
   }
   return names;
@@ -51,8 +52,8 @@ std::string list(std::vector<std::string> const& words)
 class Naming
 {
 public:
-  Naming(int dimension, bool of_cells, std::map<int, std::string> const& given,
-         PhysicalGroups& result, std::string const& where)
+  Naming(int dimension, bool of_cells, GivenNames const& given, PhysicalGroups& result,
+         std::string const& where)
       : dimension_(dimension)
       , of_cells_(of_cells)
       , given_(given)
@@ -77,6 +78,9 @@ public:
       numbers_.push_back(std::to_string(tag));
     }
     requireNamesThatDiffer(groups);
+    for (auto const& [own, name] : given_.by_name) {
+      requireKnownName(option(), own, own_names_, where_);
+    }
     warnOfUnused();
     return groups;
   }
@@ -84,11 +88,15 @@ public:
 private:
   std::string nameOf(int tag)
   {
-    const auto given = given_.find(tag);
+    const auto given = given_.by_number.find(tag);
     std::string name;
     model::getPhysicalName(dimension_, tag, name);
-    if (given != given_.end()) {
+    const auto renamed = given_.by_name.find(name);
+    own_names_.push_back(name);
+    if (given != given_.by_number.end()) {
       name = given->second;
+    } else if (renamed != given_.by_name.end()) {
+      name = renamed->second;
     } else if (asperity::trimmed(name).empty()) {
       name = (of_cells_ ? "region_" : "boundary_") + std::to_string(tag);
       made_.insert(name);
@@ -118,7 +126,7 @@ private:
 
   void warnOfUnused() const
   {
-    for (auto const& [tag, name] : given_) {
+    for (auto const& [tag, name] : given_.by_number) {
       const auto number = std::to_string(tag);
       if (std::find(numbers_.begin(), numbers_.end(), number) == numbers_.end()) {
         result_.warnings.push_back("Option " + std::string(option()) + " " + number + "=" + name +
@@ -133,10 +141,10 @@ private:
 
   int dimension_;
   bool of_cells_;
-  std::map<int, std::string> const& given_;
+  GivenNames const& given_;
   PhysicalGroups& result_;
   std::string const& where_;
-  std::vector<std::string> numbers_;
+  std::vector<std::string> numbers_, own_names_;
   std::set<std::string> made_; // names
 };
 
@@ -177,8 +185,8 @@ void leaveOut(std::set<std::string> const& without, PhysicalGroups& groups,
 GroupNames::GroupNames(std::vector<std::string> const& boundary_names,
                        std::vector<std::string> const& region_names,
                        std::vector<std::string> const& without_names)
-    : boundaries(numberedNames(names_option, boundary_names))
-    , regions(numberedNames(regions_option, region_names))
+    : boundaries(givenNames(names_option, boundary_names))
+    , regions(givenNames(regions_option, region_names))
 {
   for (auto const& text : without_names) {
     for (auto const& name : asperity::split(text, ',')) {
@@ -204,6 +212,17 @@ void requireBoundaries(std::set<std::string> const& without,
                                               << " has no such boundary or fault."
                                               << asperity::didYouMean(name, boundaries));
   }
+}
+
+void requireKnownName(std::string const& option, std::string const& name,
+                      std::vector<std::string> const& names, std::string const& where)
+{
+  std::vector<std::string> known = names;
+  known.erase(std::remove(known.begin(), known.end(), ""), known.end());
+  ASPERITY_REQUIRE(std::find(known.begin(), known.end(), name) != known.end(),
+                   "Option " << option << ": " << where << " has no group '" << name << "'"
+                             << (known.empty() ? "" : ", only " + asperity::quotedNames(known))
+                             << '.' << asperity::didYouMean(name, known));
 }
 
 PhysicalGroups physicalGroups(int dimension, GroupNames const& names, std::string const& where)

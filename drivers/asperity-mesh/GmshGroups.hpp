@@ -7,15 +7,21 @@
 
 // What the options of convert say about names. Numbers are those of the file, as of
 // Gmsh's physical groups.
+struct GivenNames
+{
+  std::map<int, std::string> by_number;
+  std::map<std::string, std::string> by_name; // of the group in the file
+};
+
 struct GroupNames
 {
-  // `boundaries` and `regions` are lists "1=free, 3=fault", `without` "a, b", each as often as the
-  // option was given. InputError for what is not of this form or is given twice.
+  // `boundaries` and `regions` are lists "1=free, 3=fault, old=new", `without` "a, b", each as
+  // often as the option was given. InputError for what is not of this form or is given twice.
   GroupNames(std::vector<std::string> const& boundaries, std::vector<std::string> const& regions,
              std::vector<std::string> const& without);
   GroupNames() = default;
 
-  std::map<int, std::string> boundaries, regions;
+  GivenNames boundaries, regions;
   std::set<std::string> without; // boundaries and faults
 };
 
@@ -23,6 +29,10 @@ struct GroupNames
 void requireBoundaries(std::set<std::string> const& without,
                        std::vector<std::string> const& boundaries,
                        std::vector<std::string> const& regions, std::string const& where);
+
+// InputError unless a group of this name, which `option` changes, is among `names`.
+void requireKnownName(std::string const& option, std::string const& name,
+                      std::vector<std::string> const& names, std::string const& where);
 
 // A physical group of Gmsh.
 struct Group

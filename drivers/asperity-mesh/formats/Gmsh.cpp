@@ -23,23 +23,27 @@ public:
     if (::isGeometry(file_name)) {
       std::optional<TemporaryFolder> folder; // made when needed: meshing may be interrupted
       const auto target = [&] { return folder.emplace(options.target).file("mesh.msh"); };
-      return meshOf({meshGeometry(file_name, options.settings, options.names, target),
-                     "Gmsh geometry " + name, options.names, options.scale});
+      return meshOf({meshGeometry(file_name, options.settings, options.names,
+                                  options.assembly.simplices, target),
+                     "Gmsh geometry " + name, options.names},
+                    options.assembly);
     }
-    const GmshFile source(file_name, "Mesh file " + name, options.names, options.scale);
+    const GmshFile source(file_name, "Mesh file " + name, options.names);
     tell(source.groups());
-    return meshOf(source);
+    return meshOf(source, options.assembly);
   }
 
 private:
   static constexpr char const* geometry = ".geo";
 
-  static AnyMesh meshOf(GmshFile const& source)
+  static AnyMesh meshOf(GmshFile const& source, AssemblyOptions options)
   {
+    options.without.clear(); // the groups of the source are without them
+
     if (source.dimension() == 2) {
-      return source.mesh<2>();
+      return source.mesh<2>(options);
     }
-    return source.mesh<3>();
+    return source.mesh<3>(options);
   }
 };
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "../GmshGroups.hpp"
+#include "../assembly/ForeignMesh.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 #include "portability/Registry.hpp"
@@ -14,10 +15,11 @@ using AnyMesh = std::variant<asperity::GlobalMesh<2>, asperity::GlobalMesh<3>>;
 
 struct ReadOptions
 {
-  GroupNames names;                  // of regions and boundaries by their numbers in the file
-  double scale = 1;                  // of coordinates
+  GroupNames names; // of regions and boundaries in the file
+  AssemblyOptions assembly;
   std::vector<std::string> settings; // NAME=VALUE, for a geometry
   std::string target;                // the file that convert writes
+  std::string array;                 // of a VTK file: the cell data that number the groups, or ""
 };
 
 // Registered under its name at the end of the format's file, which is all that the format needs:
@@ -35,7 +37,7 @@ public:
   // Whether a file with this ending is a geometry, which takes settings.
   virtual bool isGeometry(std::string const& /*ending*/) const { return false; }
 
-  // A mesh in m that mesh::checkMesh accepts. It may have boundaries inside the body, which are
+  // A mesh in m that mesh::checkMesh accepts (assemble). It may have boundaries inside the body, which are
   // faults then. Remarks and warnings are printed. InputError, which names the file, if it cannot
   // be read or is wrong.
   virtual AnyMesh read(std::string const& file_name, ReadOptions const& options) const = 0;

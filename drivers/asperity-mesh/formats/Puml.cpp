@@ -1,6 +1,7 @@
 #include "MeshFormat.hpp"
 
-#include "../GmshSession.hpp"
+#include "../assembly/ForeignMesh.hpp"
+#include "../assembly/GroupNaming.hpp"
 
 #include "base/Errors.hpp"
 #include "hdf5/File.hpp"
@@ -8,14 +9,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <iostream>
 #include <limits>
 #include <map>
 #include <set>
 #include <string>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace h5 = asperity::h5;
@@ -35,61 +33,6 @@ std::string usualName(std::int64_t code)
   return found != names.end() ? found->second
                               : (code > 64 ? "fault_" : "boundary_") + std::to_string(code);
 }
-
-// Names by numbers, given or made, and those that are given for nothing.
-class Names
-{
-public:
-  using Maker = std::function<std::string(std::int64_t)>;
-  Names(std::map<int, std::string> const& given, std::string option, std::string what, Maker make)
-      : given_(given)
-      , option_(std::move(option))
-      , what_(std::move(what))
-      , make_(std::move(make))
-  {
-  }
-
-  std::string of(std::int64_t number)
-  {
-    const auto known = names_.find(number);
-    if (known != names_.end()) {
-      return known->second;
-    }
-    const auto given = std::find_if(given_.begin(), given_.end(),
-                                    [&](auto const& item) { return item.first == number; });
-    if (given != given_.end()) {
-      return names_[number] = given->second;
-    }
-    auto const name = make_(number);
-    remarks_ += what_ + ' ' + std::to_string(number) + " is called '" + name + "'; " + option_ +
-                ' ' + std::to_string(number) + "=NAME gives another name\n";
-    return names_[number] = name;
-  }
-
-  // What was made here, and what is given for nothing.
-  void tell(std::string const& where) const
-  {
-    std::cout << remarks_;
-    for (auto const& [number, name] : given_) {
-      if (names_.count(number) == 0) {
-        std::string present;
-        for (auto const& item : names_) {
-          present += (present.empty() ? "" : ", ") + std::to_string(item.first);
-        }
-        warn("Option " + option_ + ' ' + std::to_string(number) + '=' + name +
-             " names nothing: " + where + " has no " + what_ + ' ' + std::to_string(number) +
-             ", only " + (present.empty() ? "none" : present) + '.');
-      }
-    }
-  }
-
-private:
-  std::map<int, std::string> const& given_;
-  std::string option_, what_;
-  Maker make_;
-  std::map<std::int64_t, std::string> names_;
-  std::string remarks_;
-};
 
 // The mesh of SeisSol, made by PUMGen: datasets connect (cells, 4), geometry (vertices, 3), group
 // (cells) and boundary, which has a code for each face of a cell, 0 inside the body. The faces are
@@ -112,14 +55,11 @@ public:
   {
     readCells();
     readVertices();
-    readRegions();
     readBoundaries();
-    asperity::mesh::orientCells(mesh_);
-    asperity::mesh::orientFacets(mesh_);
-    asperity::mesh::checkMesh(mesh_, where_);
-    region_names_.tell(where_);
-    boundary_names_.tell(where_);
-    return std::move(mesh_);
+    auto result = assemble<3>(mesh_, options_.assembly, where_);
+    region_names_.finish(where_);
+    boundary_names_.finish(where_);
+    return result;
   }
 
 private:
@@ -151,51 +91,31 @@ private:
   {
     auto const connect = numbers<std::int64_t>("connect", 4, any_number);
     ASPERITY_REQUIRE(!connect.empty(), where_ << " has no cells.");
-    std::set<std::int64_t> used;
-    for (auto vertex : connect) {
-      used.insert(vertex);
+    const auto num_cells = connect.size() / 4;
+    const auto count =
+      static_cast<std::int64_t>(numbers<double>("geometry", 3, any_number).size() / 3);
+    auto const groups = numbers<std::int64_t>("group", 0, num_cells);
+    for (auto group : std::set<std::int64_t>(groups.begin(), groups.end())) {
+      mesh_.region(region_names_.of(group));
     }
-    used_.assign(used.begin(), used.end());
-    for (std::size_t i = 0; i < connect.size(); i += 4) {
-      auto& cell = mesh_.cells.emplace_back();
-      std::transform(&connect[i], &connect[i] + 4, cell.begin(), [&](std::int64_t vertex) {
-        return static_cast<int>(std::lower_bound(used_.begin(), used_.end(), vertex) -
-                                used_.begin());
-      });
+    for (std::size_t cell = 0; cell < num_cells; ++cell) {
+      std::vector<int> corners;
+      for (std::size_t i = 4 * cell; i < 4 * cell + 4; ++i) {
+        ASPERITY_REQUIRE(connect[i] >= 0 && connect[i] < count,
+                         where_ << ": a cell has vertex " << connect[i] << ", outside [0, " << count
+                                << ").");
+        corners.push_back(static_cast<int>(connect[i]));
+      }
+      mesh_.addCell(mesh_.region(region_names_.of(groups[cell])), corners, 4,
+                    static_cast<std::int64_t>(cell));
     }
   }
 
-  // Of the vertices that cells have.
   void readVertices()
   {
     auto const geometry = numbers<double>("geometry", 3, any_number);
-    const auto count = static_cast<std::int64_t>(geometry.size() / 3);
-    for (auto vertex : used_) {
-      ASPERITY_REQUIRE(vertex >= 0 && vertex < count, where_ << ": a cell has vertex " << vertex
-                                                             << ", outside [0, " << count << ").");
-      auto& point = mesh_.vertices.emplace_back();
-      for (int d = 0; d < 3; ++d) {
-        point[d] = options_.scale * geometry[static_cast<std::size_t>(3 * vertex + d)];
-      }
-    }
-  }
-
-  void readRegions()
-  {
-    auto const groups = numbers<std::int64_t>("group", 0, mesh_.cells.size());
-    const std::set<std::int64_t> different(groups.begin(), groups.end());
-    std::map<std::int64_t, int> region_of_group;
-    for (auto group : different) {
-      auto const name = region_names_.of(group);
-      auto& names = mesh_.region_names;
-      const auto found = std::find(names.begin(), names.end(), name);
-      region_of_group[group] = static_cast<int>(found - names.begin());
-      if (found == names.end()) {
-        names.push_back(name);
-      }
-    }
-    for (auto group : groups) {
-      mesh_.cell_regions.push_back(region_of_group[group]);
+    for (std::size_t i = 0; i < geometry.size(); i += 3) {
+      mesh_.vertices.push_back({geometry[i], geometry[i + 1], geometry[i + 2]});
     }
   }
 
@@ -251,40 +171,23 @@ private:
 
   void readBoundaries()
   {
-    static constexpr int faces[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
     auto const code = codes();
-    std::map<std::int64_t, std::set<std::array<int, 3>>> known; // by ascending vertices
-    for (std::size_t cell = 0; cell < code.size(); ++cell) {
-      for (int face = 0; face < 4; ++face) {
-        if (code[cell][face] == 0) {
-          continue;
-        }
-        std::array<int, 3> facet;
-        std::transform(faces[face], faces[face] + 3, facet.begin(),
-                       [&](int vertex) { return mesh_.cells[cell][vertex]; });
-        auto sorted = facet;
-        std::sort(sorted.begin(), sorted.end());
-        if (known[code[cell][face]].insert(sorted).second) { // a fault has it on both sides
-          facets_[code[cell][face]].push_back(facet);
-        }
+    std::map<std::int64_t, std::string> names; // ascending codes
+    for (auto const& of_cell : code) {
+      for (auto number : of_cell) {
+        names.emplace(number, "");
       }
     }
-    for (auto const& [number, facets] : facets_) {
-      auto& boundary = mesh_.boundaries[boundary_names_.of(number)];
-      boundary.insert(boundary.end(), facets.begin(), facets.end());
+    names.erase(0);
+    for (auto& [number, name] : names) {
+      name = boundary_names_.of(number);
     }
-    leaveOut();
-  }
-
-  void leaveOut()
-  {
-    std::vector<std::string> boundaries;
-    for (auto const& item : mesh_.boundaries) {
-      boundaries.push_back(item.first);
-    }
-    requireBoundaries(options_.names.without, boundaries, mesh_.region_names, where_);
-    for (auto const& name : options_.names.without) {
-      mesh_.boundaries.erase(name);
+    for (std::size_t cell = 0; cell < code.size(); ++cell) {
+      for (std::size_t face = 0; face < 4; ++face) {
+        if (code[cell][face] != 0) { // the order of the sides is that of SeisSol
+          mesh_.addSide(names.at(code[cell][face]), static_cast<int>(cell), sidesOf(3, 4)[face]);
+        }
+      }
     }
   }
 
@@ -293,10 +196,8 @@ private:
   std::string where_;
   ReadOptions const& options_;
   h5::File file_;
-  Names region_names_, boundary_names_;
-  GlobalMesh<3> mesh_;
-  std::vector<std::int64_t> used_; // vertices of the file, ascending
-  std::map<std::int64_t, std::vector<std::array<int, 3>>> facets_;
+  GroupNaming region_names_, boundary_names_;
+  ForeignMesh mesh_{3};
 };
 
 class Puml final : public MeshFormat

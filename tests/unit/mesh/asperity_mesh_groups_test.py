@@ -135,6 +135,12 @@ class WhatGmshSaves(Case):
         self.save(NAMED, "gmsh.msh")
         self.assert_done("convert", "gmsh.msh", "case.h5", "--overwrite", "--scale=1000")
         numpy.testing.assert_allclose(contents("case.h5")["vertices"].max(), 20e3)
+        self.assert_done("convert", "gmsh.msh", "km.h5", "--units", "km")
+        self.assert_same_mesh(contents("km.h5"), contents("case.h5"))
+        self.assert_refused(["convert", "gmsh.msh", "bad.h5", "--units", "miles"],
+                            "Option --units = miles", "--scale")
+        self.assert_refused(["convert", "gmsh.msh", "bad.h5", "--units=m", "--scale=2"],
+                            "--units and --scale")
         for factor in ("0", "-1", "km"):
             self.assert_refused(["convert", "gmsh.msh", "bad.h5", "--scale", factor],
                                 "Option --scale")
@@ -155,8 +161,13 @@ class WhatGmshSaves(Case):
         for option, piece in (("Mesh.ElementOrder = 2;", "Mesh.ElementOrder = 2"),
                               ("Mesh.RecombineAll = 1;", "Mesh.RecombineAll")):
             with self.subTest(option):
-                said = self.assert_not_converted(NAMED + option, piece)
+                said = self.assert_not_converted(NAMED + option, piece, "--simplices")
                 self.assertNotIn("Meshing", said)
+                self.convert(NAMED + option, "--simplices")
+                mesh = contents("case.h5")
+                self.assertEqual(len(mesh["fault"]), 10)
+                a, b, c = (mesh["vertices"][mesh["cells"][:, i]] for i in range(3))
+                self.assertAlmostEqual(numpy.cross(b - a, c - a).sum() / 2, 40 ** 2)
 
     def test_progress_of_gmsh(self):
         self.assertIn("Meshing surface 1", self.convert(NAMED))
@@ -211,6 +222,14 @@ class Names(Case):
                          "--region-names", "1=rock")
         self.assert_same_mesh(contents("case.h5"), contents("gmsh.h5"))
 
+    def test_by_name(self):
+        self.convert(NAMED, "--names", "fault=main, outside=far", "--region-names", "rock=crust")
+        found = contents("case.h5")
+        self.assertEqual((found["region_names"], len(found["main"])), (["crust"], 10))
+        self.assertIn("far", found)
+        self.assert_not_converted(NAMED, "has no group 'falt'",
+                                  "Did you mean 'fault'?", options=["--names", "falt=main"])
+
     def test_two_groups_of_one_name(self):
         two = NUMBERED.replace("Physical Curve(5) = {1, 2, 3, 4}",
                                "Physical Curve(5) = {1, 2}; Physical Curve(7) = {3, 4}")
@@ -220,7 +239,9 @@ class Names(Case):
     def test_refused_before_meshing(self):
         for options, pieces in (
                 (["--names", "3"], ["'3' is not of the form NUMBER=NAME"]),
-                (["--names", "fault=3"], ["not of the form"]),
+                (["--names", "=3"], ["not of the form"]),
+                (["--names", "fault=main"], ["--names", "has no group 'fault'"]),
+                (["--names", "a=b,a=c"], ["gives a name to a twice"]),
                 (["--names", "3="], ["not of the form"]),
                 (["--names", "3=a,3=b"], ["gives a name to 3 twice"]),
                 (["--names", "3=a/b"], ["'a/b' cannot be the name", "--names 3=NAME"]),
@@ -244,8 +265,18 @@ class Names(Case):
         nested = NAMED.replace("Line(5) = {5, 6};", "Point(7) = {0, 0, 0, 1}; Line(5) = {5, 7}; "
                                "Line(6) = {7, 6};").replace("Curve{5} In", "Curve{5, 6} In") \
             .replace('"fault") = {5};', '"fault") = {5, 6}; Physical Curve("inner") = {6};')
-        self.assert_not_converted(nested, "is in fault 'fault' and in fault 'inner'",
-                                  "--without inner'")
+        pathlib.Path("case.geo").write_text(nested)
+        found = self.warnings("case.geo", "case.h5")
+        self.assertEqual(len(found), 1)
+        self.assertIn("5 facets are in fault 'fault' and in fault 'inner'. They stay in 'inner'",
+                      found[0])
+        inner, rest = contents("case.h5")["inner"], contents("case.h5")["fault"]
+        self.assertEqual((len(inner), len(rest)), (5, 5))
+        self.assertEqual({frozenset(f) for f in inner.tolist()}
+                         & {frozenset(f) for f in rest.tolist()}, set())
+        equal = nested.replace('Curve("inner") = {6}', 'Curve("inner") = {5, 6}')
+        self.assert_not_converted(equal, "all facets of fault 'inner' are in fault 'fault'",
+                                  "--without inner")
         self.convert(nested, "--without", "inner")
         self.assertEqual(len(contents("case.h5")["fault"]), 10)
         self.assertNotIn("inner", contents("case.h5"))

@@ -1,16 +1,18 @@
 """asperity-mesh, given as the first argument: converts SeisSol's meshes (PUML), refuses errors.
 
-ASPERITY_PUML_MESH may name a mesh of SeisSol's; without it one test is left out."""
+The second argument is a folder with files of other projects; without a mesh of SeisSol's there one
+test is left out."""
 
 import collections
 import os
+import sys
 import unittest
 
 import h5py
 import mesh_tool
 import numpy
 
-PUBLISHED = os.environ.get("ASPERITY_PUML_MESH", "")
+PUBLISHED = os.path.join(sys.argv.pop(1), "tpv13_training.puml.h5")
 FACES = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))  # of SeisSol
 
 # A pyramid over a square and its mirror image below, each of two tetrahedra: 0 to 3 is the square,
@@ -133,11 +135,11 @@ class Convert(mesh_tool.Case):
             file.write("no mesh")
         self.assert_refused(["convert", "text.puml.h5", "bad.h5"], "'text.puml.h5'",
                             "cannot be read")
-        self.assert_refused(["convert", "mesh.txt", "bad.h5"], "'mesh.txt'", ".geo, .msh, .puml.h5")
+        self.assert_refused(["convert", "mesh.txt", "bad.h5"], "'mesh.txt'", ".geo, .inp, .msh, .puml.h5")
 
 
 class Published(mesh_tool.Case):
-    @unittest.skipUnless(os.path.exists(PUBLISHED), "needs ASPERITY_PUML_MESH")
+    @unittest.skipUnless(os.path.exists(PUBLISHED), PUBLISHED + " is not there")
     def test_of_a_fault(self):
         text = self.assert_done("convert", PUBLISHED, "published.h5", *Convert.NAMES)
         with h5py.File(PUBLISHED) as file:

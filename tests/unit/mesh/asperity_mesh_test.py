@@ -208,7 +208,7 @@ class Convert(mesh_tool.Case):
     def test_meshes_that_do_not_fit(self):
         self.assert_not_converted(msh(nodes={**NODES, 8: "1 1 0.5"}), "node 8", "z = 0.5")
         self.assert_not_converted(msh(elements=ELEMENTS[:4] + ["5 3 2 3 1 2 3 5 7"]),
-                                  "Quadrilateral 4", "tag 5")
+                                  "cell 5 is a quadrilateral", "--simplices")
         self.assert_not_converted(msh(nodes={**NODES, 8: "1 0 0"}), "is degenerate", "(1, 0)")
         inside = ELEMENTS[:1] + ["2 1 2 2 2 3 8"] + ELEMENTS[2:]
         self.assert_not_converted(msh(elements=inside), "boundary 'sides'", "inside the body")

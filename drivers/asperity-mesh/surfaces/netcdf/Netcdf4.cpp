@@ -11,11 +11,11 @@ namespace asperity::geometry
 {
 namespace
 {
-// Attributes of CF and of netCDF itself that readers of grids look at.
-constexpr char const* attributes_read[] = {"units",         "standard_name", "axis",
-                                           "positive",      "long_name",     "_FillValue",
-                                           "missing_value", "scale_factor",  "add_offset",
-                                           "CLASS",         "_Netcdf4Dimid", "_Netcdf4Coordinates"};
+// Attributes of CF, of netCDF itself and of Exodus that readers look at.
+constexpr char const* attributes_read[] = {
+  "units",         "standard_name",       "axis",         "positive",   "long_name",
+  "_FillValue",    "missing_value",       "scale_factor", "add_offset", "CLASS",
+  "_Netcdf4Dimid", "_Netcdf4Coordinates", "elem_type"};
 
 NetcdfAttribute readAttribute(h5::Dataset const& dataset, std::string const& name)
 {
@@ -60,7 +60,37 @@ public:
     }
   }
 
+  std::vector<std::string> texts(std::string const& name) const override
+  {
+    auto const& wanted = variable(name);
+    ASPERITY_REQUIRE(wanted.is_text, where_ << ": variable '" << name << "' has no characters.");
+    try {
+      return rows(file_.openDataset(name).readTexts(), wanted.shape);
+    } catch (h5::Error const& error) {
+      throw InputError(where_ + ": variable '" + name + "' cannot be read. " + error.what());
+    }
+  }
+
 private:
+  // Characters are texts of length 1, of which the last dimension makes one; a blank at the end and
+  // a zero are no part of it.
+  static std::vector<std::string> rows(std::vector<std::string> const& pieces,
+                                       std::vector<std::uint64_t> const& shape)
+  {
+    const std::size_t length = shape.empty() ? 1 : std::max<std::size_t>(shape.back(), 1);
+    std::vector<std::string> result;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      if (i % length == 0) {
+        result.emplace_back();
+      }
+      result.back() += pieces[i];
+    }
+    for (auto& text : result) {
+      text.erase(text.find_last_not_of(" \n\t") + 1);
+    }
+    return result;
+  }
+
   h5::File open(std::string const& file_name) const
   {
     try {

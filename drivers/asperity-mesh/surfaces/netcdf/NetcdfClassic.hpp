@@ -22,9 +22,7 @@ public:
   std::map<std::string, NetcdfAttribute> const& attributes() const { return attributes_; }
 
   std::vector<double> numbers(std::string const& name) const override;
-  // Of a variable of characters (rows, length): one text for each row, without zeros and blanks at
-  // its end; a single text if it has one dimension.
-  std::vector<std::string> texts(std::string const& name) const;
+  std::vector<std::string> texts(std::string const& name) const override;
 
 private:
   enum class Type;

@@ -37,6 +37,9 @@ public:
   bool has(std::string const& name) const;
   // All values of a variable of numbers in the order of its dimensions, the last one fastest.
   virtual std::vector<double> numbers(std::string const& name) const = 0;
+  // Of a variable of characters (rows, length): one text for each row, without zeros and blanks at
+  // its end; a single text if it has one dimension.
+  virtual std::vector<std::string> texts(std::string const& name) const = 0;
 
   std::string const& where() const { return where_; }
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "mesh/GlobalMesh.hpp"
+
+#include <set>
+#include <string>
+
+// The boundaries that have facets with two cells: faults that are not split yet.
+template <int Dim>
+std::set<std::string> faultsOf(asperity::GlobalMesh<Dim> const& mesh);
+
+// Leaves a facet inside the body that several groups have to the group with the fewest facets (of
+// equal ones the first by name), and warns. InputError, which starts with `where`, if a group would
+// have no facet left.
+template <int Dim>
+void separateFaults(asperity::GlobalMesh<Dim>& mesh, std::set<std::string> const& faults,
+                    std::string const& where);
