@@ -34,7 +34,7 @@ namespace
 {
 constexpr double real = sizeof(double), single = sizeof(float), index = sizeof(int);
 
-// Of all ranks together.
+// A kernel on all ranks together.
 struct Kernel
 {
   std::string name;

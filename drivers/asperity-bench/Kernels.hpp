@@ -4,9 +4,9 @@
 #include "base/Types.hpp"
 #include "parameters/Parameters.hpp"
 
-// Times the kernels of a step on the matrices and the fault of a deck, each beside the bytes that
-// it has to move at least: products with K, sweep, transfers and V-cycle of multigrid, the block
-// problems of friction and the update of its state. A STREAM triad in the same run says how fast
-// the memory is. `deck` must be complete. Collective; the report is for all ranks together.
+// Times the kernels of a step on the matrices and the fault of a deck, each together with the bytes
+// that it has to move at least: products with K, sweep, transfers and V-cycle of multigrid, the
+// block problems of friction and the update of its state. A STREAM triad in the same run says how
+// fast the memory is. `deck` must be complete. Collective; the report is for all ranks together.
 Report measureKernels(asperity::ParameterList const& deck,
                       asperity::RCP<const asperity::Communicator> const& communicator);

@@ -3,14 +3,14 @@
 #include <chrono>
 #include <string>
 
-// What a command has measured: to read, and for programs (--output).
+// What a command has measured: a table to read, and a file for programs (--output).
 struct Report
 {
   std::string table;
   std::string file;
 };
 
-// Of a clock that never goes back [s].
+// The time of a monotonic clock [s].
 inline double wallSeconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

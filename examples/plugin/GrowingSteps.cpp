@@ -41,7 +41,7 @@ public:
     return accepted;
   }
 
-  // What a restart goes on from, beside the memory of every control.
+  // What a restart goes on from, in addition to the memory of every control.
   void save(Archive& archive, StateArchive const& states) const override
   {
     StepControl::save(archive, states);

@@ -27,7 +27,7 @@ public:
     return add(std::uint64_t(text.size())).bytes(text.data(), text.size());
   }
 
-  // Of numbers, or of arrays of numbers.
+  // Adds numbers, or arrays of numbers.
   template <class Row>
   Checksum& add(std::vector<Row> const& rows)
   {

@@ -48,7 +48,7 @@ struct Body
   fem::HeldDofs held;                     // dofs whose velocity is prescribed
   RCP<const MultiVector> near_null_space; // rigid body motions on the owned dofs, in nodal frames
 
-  // Both fill a vector of owned dofs for the time t [s].
+  // Two functions that fill a vector of owned dofs for the time t [s].
   std::function<void(double, Vector&)> load;
   std::function<void(double, Vector&)> prescribed_velocity; // zero at dofs that are not held
 

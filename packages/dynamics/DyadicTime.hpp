@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 
 namespace asperity::dynamics
@@ -43,7 +44,7 @@ public:
   // 11.
   Ticks reaching(double seconds) const
   {
-    constexpr double rounding = 4 * 2.220446049250313e-16;
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
     const double count = std::ldexp(seconds / largest_step_, finest_level_);
     return static_cast<Ticks>(std::ceil(count * (1 - rounding)));
   }

@@ -23,9 +23,9 @@ struct ObservedField
   std::function<std::vector<double>(State const&)> values; // collective
 };
 
-// A process on the fault beside friction, its state and the normal stress, such as a fluid pressure
-// or a second state variable: it adds fields to the state of a run and unknowns to the fixed point
-// of a step, and changes what friction depends on.
+// A process on the fault other than friction, its state and the normal stress, such as a fluid
+// pressure or a second state variable: it adds fields to the state of a run and unknowns to the
+// fixed point of a step, and changes what friction depends on.
 class FaultProcess
 {
 public:
@@ -57,7 +57,7 @@ struct NodalFunction
   std::function<std::vector<double>(double)> at; // its values (num_nodes) at a time [s]
 };
 
-// What a process is made of beside its parameters.
+// What a process is made of in addition to its parameters.
 struct FaultProcessContext
 {
   fem::FaultSurface const& surface; // lives as long as the process

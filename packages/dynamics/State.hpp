@@ -43,7 +43,7 @@ struct State
   NodeView alpha_defect;
   std::optional<fem::InelasticStrain> inelastic; // of the body's cells, if any may yield
 
-  // A field at the nodes of the fault that a model declares beside those above.
+  // A field at the nodes of the fault that a model declares in addition to those above.
   struct Added
   {
     std::shared_ptr<const FieldInfo> info;

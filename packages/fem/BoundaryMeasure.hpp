@@ -17,8 +17,8 @@ struct NodalMeasure
   Point<Dim> normal{}; // unit, outward, averaged over the facets by their size
 };
 
-// Of a rank's owned nodes on a named boundary, ascending. InputError if the mesh has no such
-// boundary, or none of its facets on any rank. Collective.
+// The measures of a rank's owned nodes on a named boundary, ascending. InputError if the mesh has
+// no such boundary, or none of its facets on any rank. Collective.
 template <int Dim>
 std::vector<NodalMeasure<Dim>> boundaryMeasure(Mesh<Dim> const& mesh, std::string const& boundary,
                                                Communicator const& communicator);
@@ -30,7 +30,7 @@ struct NormalIntegral
   double measure = 0;
 };
 
-// Of boundaries that the mesh has. Collective.
+// The integral over boundaries that the mesh has. Collective.
 template <int Dim>
 NormalIntegral integrateNormal(Mesh<Dim> const& mesh, std::vector<std::string> const& boundaries,
                                Communicator const& communicator);

@@ -59,7 +59,7 @@ private:
   RCP<const Map> owned_, columns_;
 };
 
-// Of the surface, in the mesh of which it was made. Collective.
+// The facets of `surface`, which was made from this mesh. Collective.
 template <int Dim>
 std::shared_ptr<const FaultMesh> makeFaultMesh(Mesh<Dim> const& mesh, FaultSurface const& surface);
 } // namespace asperity::fem

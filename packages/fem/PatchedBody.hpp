@@ -5,9 +5,9 @@
 
 namespace asperity::fem
 {
-// As assembleBody, of a body whose cells share volumetric strains in patches. The graph couples the
-// vertices of a patch; mass, viscosity and branches are those of single cells. The stiffness of
-// the patches belongs to what never relaxes. A rank needs all cells of its patches.
+// Like assembleBody, for a body whose cells share volumetric strains in patches. The graph couples
+// the vertices of a patch; mass, viscosity and branches are those of single cells. The stiffness of
+// the patches never relaxes. A rank needs all cells of its patches.
 template <int Dim>
 BodyMatrices assemblePatchedBody(Mesh<Dim> const& mesh, DofMap const& dofs,
                                  NodalFrames const& frames, std::vector<Material> const& materials,

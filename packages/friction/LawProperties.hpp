@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-// What a law declares about itself besides its kernels. Its functions take the law's parameters at
-// one node in the order of its table, on the host: each calls the member function of the law whose
-// name it has, as slipDistance(). A function that the law does not have is empty.
+// What a law declares about itself in addition to its kernels. Its functions take the law's
+// parameters at one node in the order of its table, on the host: each calls the member function of
+// the law whose name it has, as slipDistance(). A function that the law does not have is empty.
 namespace asperity::friction
 {
 // What alpha is. A friction law and a state law go together if they have the same alpha.

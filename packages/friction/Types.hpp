@@ -28,7 +28,7 @@ struct Response
   double second;
 };
 
-// What friction is evaluated at besides the velocity: an argument of each call.
+// What else than the velocity friction is evaluated at: an argument of each call.
 struct StateAndStress
 {
   ConstNodeView alpha;   // ln(theta V* / L)

@@ -76,7 +76,7 @@ OutputDomain ownedNodes(std::string const& name, Mesh<Dim> const& mesh,
   return domain;
 }
 
-// Of the elements that this rank owns; number_of: from the local vertex to the node's number.
+// Adds the elements that this rank owns; number_of: from the local vertex to the node's number.
 template <int Dim, class Element, class Numbering>
 void addElements(OutputDomain& domain, Mesh<Dim> const& mesh, std::vector<Element> const& elements,
                  Numbering const& number_of)

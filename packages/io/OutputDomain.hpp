@@ -56,7 +56,7 @@ struct OutputDomain
   std::vector<GlobalOrdinal> connectivity; // (num_owned_elements, nodes_per_element), by number
   std::vector<double> corners;             // (num_owned_elements, nodes_per_element, dimension) [m]
 
-  // Of a fault in two dimensions: its plus side, that of the body, lies below it.
+  // A fault in two dimensions: whether its plus side, that of the body, lies below it.
   bool is_foot_wall = false;
 
   // In a periodic mesh an element may reach across a period: its corners above lie next to each

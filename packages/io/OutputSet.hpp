@@ -58,7 +58,7 @@ public:
   };
   std::vector<LeftOut> const& leftOut() const { return left_out_; }
 
-  // As the functions of Output: of the first output that counts events, and of all.
+  // The events of the first output that counts them, and the reports of all outputs, see Output.
   std::optional<std::int64_t> numEvents() const;
   std::string report() const;
 

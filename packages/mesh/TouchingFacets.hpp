@@ -17,10 +17,11 @@ struct TouchingFacets
   Point<Dim> place{};        // its centroid [m]
 };
 
-// Of two regions, those that have most of them; nullopt if there are none. A facet lies on another
-// one if its centroid is within a hundredth of both their lengths outside it, or within a
-// ten-thousandth inside, and their normals are opposite: the two sides may be divided differently.
-// The two sides of a fault do not count. The work is proportional to the surface.
+// The two regions with the most facets that lie on each other; nullopt if there are no such facets.
+// A facet lies on another one if its centroid is within a hundredth of both their lengths outside
+// it, or within a ten-thousandth inside, and their normals are opposite: the two sides may be
+// divided differently. The two sides of a fault do not count. The work is proportional to the
+// surface.
 template <int Dim>
 std::optional<TouchingFacets<Dim>> touchingFacets(GlobalMesh<Dim> const& mesh);
 

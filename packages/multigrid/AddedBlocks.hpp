@@ -43,7 +43,7 @@ private:
   IndexView couplings_;     // those of these rows, of each pair the first one
   IndexView mirrored_;      // the other one of the pair, or -1: itself, or another rank's
   IndexView first_product_; // (num couplings + 1)
-  // Of each product its node, and the blocks of Q of the coupling's row and column.
+  // For each product its node, and the blocks of Q of the coupling's row and column.
   Kokkos::View<const int* [3], Kokkos::LayoutRight, MemorySpace> products_;
   std::function<std::vector<double>(std::vector<double> const&)> collect_;
 };

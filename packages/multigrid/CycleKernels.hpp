@@ -9,7 +9,7 @@
 // not need.
 namespace asperity::multigrid
 {
-// Of the nodes of the finest level, with `size` numbers each.
+// Renumbers a vector on the nodes of the finest level, with `size` numbers each.
 struct Renumber
 {
   IndexView row_of_node;
@@ -109,7 +109,7 @@ struct SumTermsRow
     sum(diagonal[row], diagonal[row] < 0 ? -1 : diagonal[row] + 1);
     sum(upper[row], upper[row + 1]);
   }
-  // Of the couplings from <= k < to.
+  // Sums the terms of the couplings from <= k < to.
   KOKKOS_FUNCTION void sum(int from, int to) const
   {
     const auto end = static_cast<std::ptrdiff_t>(to) * size;

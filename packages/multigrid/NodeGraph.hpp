@@ -59,7 +59,8 @@ struct DeviceGraph : GraphSizes
   DeviceGraph(HostGraph const& host, std::vector<int> const& columns_in_order);
 
   int numCouplings() const { return columns.extent_int(0); }
-  // Both for vectors on the columns. Collective.
+  // Send owned values to ghosts, and add those of ghosts to their owners'; x: on the columns.
+  // Collective.
   void share(NodeVector const& x) const;
   void gather(NodeVector const& x) const;
 };
@@ -73,10 +74,10 @@ struct NodeGraph : DeviceGraph
   explicit NodeGraph(HostGraph const& host);
 };
 
-// Of a square matrix, as sweeps read it: first all couplings with earlier nodes, row by row, then
-// those of nodes with themselves, then those with later nodes and ghosts. Half a sweep needs one
-// part of these, and reads it from end to end; rows whose halves lie side by side would be fetched
-// whole by a processor, twice.
+// The couplings of a square matrix, as sweeps read it: first all couplings with earlier nodes, row
+// by row, then those of nodes with themselves, then those with later nodes and ghosts. Half a sweep
+// needs one part of these, and reads it from end to end; if the halves of a row lay side by side, a
+// processor would fetch whole rows, twice.
 struct MatrixGraph : DeviceGraph
 {
   IndexView lower;    // (num_rows + 1) where a row's couplings with earlier nodes begin

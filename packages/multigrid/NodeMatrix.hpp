@@ -28,11 +28,11 @@ public:
   void multiply(NodeGraph const& graph, Schedule const& schedule, NodeBlocks const& A,
                 NodeVector const& x, NodeVector const& y, std::vector<NodeVector>& parts) const;
 
-  // What a product reads beside the matrix.
+  // What a product reads in addition to the vectors.
   std::size_t bytes() const;
 
 private:
-  // Of each column its rows, ascending, and their couplings: (num columns + 1) where they begin.
+  // For each column its rows, ascending, and their couplings: (num columns + 1) where they begin.
   IndexView first_, rows_, couplings_;
 };
 } // namespace asperity::multigrid

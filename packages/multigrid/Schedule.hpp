@@ -71,7 +71,7 @@ public:
 
   int numParts() const { return static_cast<int>(begins_.size()) - 1; } // chunks or colours
   bool isColoured() const { return is_coloured_; }
-  // Rows are swept beside others, from which they take what was before the sweep.
+  // Rows are swept at the same time as others, from which they take the values before the sweep.
   bool sharesSweeps() const { return !is_coloured_ && numParts() > 1; }
   int numRows() const { return begins_.back(); }
 

@@ -78,7 +78,7 @@ template <class Law>
 inline constexpr std::size_t num_parameters = detail::NumParameters<Law>::value;
 
 // The law whose parameters are values(row), rows in the order of the table. A law that has a member
-// function prepare() derives there what it needs besides, as the sine of an angle.
+// function prepare() derives there what else it needs, as the sine of an angle.
 template <class Law, class Values, class = std::enable_if_t<!std::is_pointer_v<Values>>>
 KOKKOS_INLINE_FUNCTION Law loadLaw(Values const& values)
 {

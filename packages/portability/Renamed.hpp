@@ -42,7 +42,8 @@ ASPERITY_RENAMED(maxLocalRowEntries, getLocalMaxNumRowEntries, getNodeMaxNumRowE
 #undef ASPERITY_RENAMED
 } // namespace detail
 
-// Of a graph or a matrix, on this rank: rows, columns, stored entries, the most entries in a row.
+// Sizes of a graph or a matrix on this rank: rows, columns, stored entries, the most entries in a
+// row.
 template <class Matrix>
 std::size_t numLocalRows(Matrix const& matrix)
 {
@@ -67,7 +68,7 @@ std::size_t maxLocalRowEntries(Matrix const& matrix)
   return detail::maxLocalRowEntries(matrix, 0);
 }
 
-// Of a map, on this rank.
+// The number of elements of a map on this rank.
 template <class RowMap>
 std::size_t numLocalElements(RowMap const& map)
 {

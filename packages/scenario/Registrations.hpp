@@ -5,7 +5,7 @@
 
 namespace asperity::scenario
 {
-// All registered laws, outputs, text formats and kinds of fault: "friction law 'Truncated'", "state
-// law 'Slip'", "output 'Global'", ... A name that is registered twice occurs twice.
+// All registered laws, outputs and kinds of fault: "friction law 'Truncated'", "state law
+// 'Slip'", "output 'Global'", ... A name that is registered twice occurs twice.
 std::vector<std::string> registrations();
 } // namespace asperity::scenario

@@ -2,6 +2,8 @@
 
 #include "tnnmg/NonlinearNodes.hpp"
 
+#include <limits>
+
 namespace asperity::tnnmg
 {
 // A change of psi or J, and the sum of the magnitudes of the terms that add up to it.
@@ -13,7 +15,8 @@ struct EnergyChange
   // of num_terms terms one after the other (Higham 2002, (4.4)), else 0.
   int rises(double num_terms) const
   {
-    return change > (10 + num_terms / 2) * 2.220446049250313e-16 * magnitude ? 1 : 0;
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    return change > (10 + num_terms / 2) * epsilon * magnitude ? 1 : 0;
   }
 };
 
@@ -29,7 +32,7 @@ public:
   virtual int minimise(IndexView const& nodes, ConstNodeView const& curvature,
                        ConstBlockView const& r, BlockView const& v) const = 0;
   // The same for the given nodes one after the other, with the force r_i + curvature_i v_i, zero in
-  // held components, for r = b - Z v, which stays that.
+  // held components. r = b - Z v is kept up to date.
   virtual int sweep(IndexView const& nodes, CoupledNodes const& system,
                     BlockView const& v) const = 0;
   // Gradient and Hessian of psi_i at v_i; kinked_i = 1 where psi_i has no second derivative.

@@ -40,8 +40,8 @@ public:
 
   // Takes a new right side b and a first guess for v, on Z's rows.
   void begin(Vector const& b, Vector const& guess);
-  // Both start from the present v; improve() makes a single iteration, for problems that change
-  // before they need to be solved.
+  // Both functions start from the present v; improve() makes a single iteration, for problems that
+  // change before they need to be solved.
   TnnmgResult solve(NodalProblem const& problem);
   TnnmgResult improve(NodalProblem const& problem);
 

@@ -15,7 +15,7 @@ struct TnnmgBlocks
   void differenceTo(BlockView const& reference,
                     BlockView const& result) const; // result = v - reference
   void scaleChange(double step) const;              // scaled = step * d
-  // Truncates, besides the nodes at a kink, those that are held in all components and those whose
+  // Truncates the nodes at a kink, those that are held in all components and those whose
   // Hessian exceeds stiff * curvature. Sets the held components of all Hessians to zero.
   void truncate(NonlinearNodes const& nodes, ConstNodeView const& curvature, double stiff) const;
 

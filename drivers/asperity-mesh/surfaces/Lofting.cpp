@@ -35,7 +35,7 @@ Polyline resampled(Polyline const& line, int num_segments)
   const double step = lengthOf(line) / num_segments;
   Polyline result = {line.front()};
   std::size_t segment = 1;
-  double before = 0; // arc length at the begin of the segment
+  double before = 0; // arc length at the beginning of the segment
   double length = distanceOf(line[0], line[1]);
   for (int i = 1; i < num_segments; ++i) {
     while (before + length < i * step && segment + 1 < line.size()) {

@@ -18,7 +18,7 @@ namespace asperity::dynamics
 // about twice as large.
 double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side);
 
-// The size of the cohesive zone at rest, Lambda0 = G' L / (b sigma_n) [m].
+// The size of the cohesive zone at zero rupture speed, Lambda0 = G' L / (b sigma_n) [m].
 double cohesiveZone(double slip_modulus, double b, double L, double sigma_n);
 
 // The nucleation length [m]: the length of the patch on which slip accelerates under the ageing law
@@ -31,9 +31,9 @@ double nucleationLength(double slip_modulus, double a, double b, double L, doubl
 // Requires b > a.
 double unstableWavelength(double slip_modulus, double a, double b, double L, double sigma_n);
 
-// The same for friction that falls linearly with slip: the cohesive zone at rest (Palmer & Rice
-// 1973), 9 pi / 32 G' d_c / (drop sigma_n), and the length at which slip cannot be stable any more
-// (Uenishi & Rice 2003), 1.158 G' d_c / (drop sigma_n), where drop = mu_s - mu_d > 0.
+// The same for friction that falls linearly with slip: the cohesive zone at zero rupture speed
+// (Palmer & Rice 1973), 9 pi / 32 G' d_c / (drop sigma_n), and the length from which on slip cannot
+// be stable (Uenishi & Rice 2003), 1.158 G' d_c / (drop sigma_n), where drop = mu_s - mu_d > 0.
 double slipWeakeningZone(double slip_modulus, double drop, double distance, double sigma_n);
 double slipWeakeningLength(double slip_modulus, double drop, double distance, double sigma_n);
 
@@ -75,7 +75,7 @@ double highestCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
 // with slip weakening 0 everywhere.
 std::vector<double> rateWeakeningDistances(FrictionOfNodes const& friction);
 
-// The relative error of a fault's stiffness beside bricks cut into linear cells, H times as high
+// The relative error of a fault's stiffness next to bricks cut into linear cells, H times as high
 // as they are long, for slip along and across a wave of `cells` cells; antiplane slip is across it,
 // that of plane strain along it. Across, it is (k h)^2 (H^2 / 8 - 1 / 24); along, a fit of (k h)^2
 // (c + d H^2) to the errors of verification.fault_stiffness for waves of 8 cells and more, good to

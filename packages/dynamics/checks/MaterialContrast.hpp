@@ -32,7 +32,7 @@ struct MaterialContrast
   std::array<double, 2> speeds{}; // c_s there on the plus and on the minus side [m/s]
 };
 
-// Of these materials on the two sides of places (num_places). Collective.
+// The largest contrast of these materials on the two sides of places (num_places). Collective.
 MaterialContrast materialContrast(std::vector<std::array<double, 3>> const& places,
                                   std::vector<fem::Material> const& plus,
                                   std::vector<fem::Material> const& minus,

@@ -13,7 +13,7 @@ struct Extremes
 {
   double smallest = 0, largest = 0;
 };
-// What a deck says about the body beside its fault and about the stress on the fault; without a
+// What a deck says about the body next to its fault and about the stress on the fault; without a
 // fault, about the whole body alone.
 struct BesideFault
 {

@@ -78,7 +78,7 @@ private:
   State condensedState(Body const& body) const;
   ReactionSinceStart condensedReaction(ReactionSinceStart const& of_whole, Body const& body) const;
   State gather(State const& whole, Body const& condensed, Amplitudes const& of) const;
-  void gather(Vector const& whole, Vector& x) const; // F alone; s and what is beside it are zero
+  void gather(Vector const& whole, Vector& x) const; // F alone; s and all other dofs are zero
 
   int numKept() const { return static_cast<int>(kept_.size()); }
 

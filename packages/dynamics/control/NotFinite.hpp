@@ -29,7 +29,8 @@ struct NotFinite
 
 // The first one on this rank, in the order of the state's fields. Not collective.
 std::optional<NotFinite> firstNotFinite(State const& state);
-// The same of a step that failed: only the fields that it started from a guess of are known.
+// The same for a step that failed: of its end, only the fields for which it has a first guess are
+// known.
 std::optional<NotFinite> firstNotFiniteAtFault(State const& state);
 std::optional<NotFinite> firstNotFinite(std::string const& quantity, RCP<Vector> const& x);
 } // namespace asperity::dynamics

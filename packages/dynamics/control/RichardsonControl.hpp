@@ -34,9 +34,9 @@ public:
   void restore(Archive const& archive, StateArchive const& states) override;
   void adaptToClock() override;
 
-  // What it remembers beside the memory of every control: the state in which the last pair of steps
-  // began, and its level; the error of that pair, and of the pair before, scaled to steps of the
-  // same size (0: unknown).
+  // What it remembers in addition to the memory of every control: the state in which the last pair
+  // of steps began, and its level; the error of that pair, and of the pair before, scaled to steps
+  // of the same size (0: unknown).
   struct LastPair
   {
     std::optional<State> before;

@@ -7,7 +7,7 @@
 
 namespace asperity::dynamics
 {
-// What a control works with beside its parameters.
+// What a control works with in addition to its parameters.
 struct ControlContext
 {
   CoupledStep& step;

@@ -15,8 +15,8 @@ namespace asperity::dynamics
 class AndersonAcceleration
 {
 public:
-  // `depth` >= 0 iterates are remembered beside the last one; with 0 this is the plain iteration.
-  // weights: of this rank's values, of which each counts on one rank.
+  // `depth` >= 0 iterates are remembered in addition to the last one; with 0 this is the plain
+  // iteration. weights: of this rank's values, of which each counts on one rank.
   AndersonAcceleration(ConstNodeView const& weights, RCP<const Communicator> const& communicator,
                        int depth);
 

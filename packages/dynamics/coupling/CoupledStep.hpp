@@ -78,8 +78,8 @@ struct CoupledResult
 // the scheme damps u; for Newmark with beta = 1/4 it is that of thesis eq. (25) with lambda = 1/2.
 // Under back slip V = |slip_factor (u1 - u0)_t / tau + Vp|.
 //
-// What else each rate problem takes as given is an unknown of the fixed point beside alpha: a
-// normal stress that is coupled to the body, what processes on the fault add, and the inelastic
+// What else each rate problem takes as given is an unknown of the fixed point in addition to alpha:
+// a normal stress that is coupled to the body, what processes on the fault add, and the inelastic
 // strain of rock that yields (StepUnknown). Each rate problem is convex, since all of them are
 // fixed in it.
 class CoupledStep

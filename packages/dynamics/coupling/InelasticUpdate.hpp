@@ -42,6 +42,6 @@ public:
 private:
   fem::InelasticCells const& cells_;
   YieldingCells space_;
-  fem::InelasticStrain image_; // beside the strain, which is given
+  fem::InelasticStrain image_; // accumulated shear and history
 };
 } // namespace asperity::dynamics

@@ -33,7 +33,7 @@ public:
   void setRightSide(Vector const& b) override;
   int respond(StepIterate const& step, NodeView const& image) override;
   void limit(NodeView const& sigma_n) const override;
-  // That of StressScale.hpp, of sigma_n at the beginning of the step.
+  // The scale of StressScale.hpp for sigma_n at the beginning of the step.
   ConstNodeView scale() const override { return scale_; }
 
 private:

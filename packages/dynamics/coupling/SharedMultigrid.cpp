@@ -47,7 +47,7 @@ SharedMultigrid::SharedMultigrid(Body const& body, fem::FaultSurface const& surf
     : has_mass_(!body.matrices.is_massless)
     , has_viscosity_(body.matrices.viscosity->getFrobeniusNorm() > 0)
 {
-  // Of the problem only its nodes are read, no matrix.
+  // MultigridTerms reads the nodes of the problem, and not its matrix.
   terms_ =
     tnnmg::MultigridTerms(termsOf(body, has_mass_, has_viscosity_),
                           multigridProblem(Teuchos::null, body, nodesOf(surface)), parameters);

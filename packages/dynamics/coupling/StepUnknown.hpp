@@ -37,16 +37,16 @@ struct StepIterate
   Vector const* u_in_body = nullptr; // (owned dofs) at the end of the step [m], see FollowsFrom
 };
 
-// What an unknown of a step follows from, and so what it costs to ask for its image.
+// What an unknown of a step follows from, and so what its image costs.
 enum class FollowsFrom
 {
   // What is known when the step begins: the value that begin() sets is final.
   start,
-  // The motion of the fault: asked after each iteration of the rate problem.
+  // The motion of the fault: images are computed after each iteration of the rate problem.
   fault,
-  // The motion of the whole body, which costs as much as a linear solve: asked when what follows
-  // from the fault has converged, or changes less than this unknown did when it was last asked and
-  // is expected to change further.
+  // The motion of the whole body, which costs as much as a linear solve: images are computed when
+  // what follows from the fault has converged, or changes less than this unknown did the last time
+  // and this unknown is expected to change further.
   body
 };
 
@@ -63,9 +63,9 @@ public:
                           Norm norm) const = 0;
 };
 
-// An unknown of the fixed point of a step beside the velocity: a field of the state that the rate
-// problem takes as given and that follows from the velocity. What it remembers from one step to the
-// next is in fields of the state, which checkpoints have.
+// An unknown of the fixed point of a step, in addition to the velocity: a field of the state that
+// the rate problem takes as given and that follows from the velocity. What it remembers from one
+// step to the next is in fields of the state, which checkpoints have.
 class StepUnknown
 {
 public:
@@ -92,13 +92,14 @@ public:
   // b: the right side of the rate problems to come, l + M a^ - K u^ - Z v_D and all added forces,
   // with the rows of held dofs, which rate problems leave out.
   virtual void setRightSide(Vector const& b) { static_cast<void>(b); }
-  // The reaction that it asks the solver for, see RateSolver::reactions; null if none.
+  // The reaction that it needs from the solver, see RateSolver::reactions; null if none.
   virtual std::shared_ptr<const NormalReaction> reaction() const { return nullptr; }
 
-  // image(num_values): the value that follows from the motion. Returns how many of this rank's
-  // values there are not. Collective.
+  // image(num_values): the value that follows from the motion. Returns for how many of this rank's
+  // values there is none. Collective.
   virtual int respond(StepIterate const& step, NodeView const& image) = 0;
-  // Moves values that the acceleration has extrapolated to where the model has a meaning.
+  // Moves values that the acceleration has extrapolated into the range in which the model has a
+  // meaning.
   virtual void limit(NodeView const&) const {}
   // (num_values): the factor that makes a change of it count like the same change of alpha in
   // tolerances and in the acceleration; a view without entries means 1.

@@ -22,7 +22,7 @@ public:
 
   bool followFromBody() const; // whether any does
   bool addForces() const;
-  std::shared_ptr<const NormalReaction> reaction() const; // that one of them asks for, or null
+  std::shared_ptr<const NormalReaction> reaction() const; // that one of them needs, or null
 
   // These open a step, as those of StepUnknown do.
   void evaluate(double t0, double t1) const;
@@ -30,14 +30,15 @@ public:
   void addForces(State const& to, Vector& b) const;
   void setRightSide(Vector const& b) const;
 
-  // Asks those that follow from the fault, or those that follow from the body. Returns how far
-  // images are from iterates, |g(x) - x|, the largest of those asked; not finite if a value is not
-  // or an unknown has none at some place, on any rank. Those of the fault come first. Collective.
+  // Computes the images of those that follow from the fault, or of those that follow from the body.
+  // Returns how far images are from iterates, |g(x) - x|, the largest of those computed; not finite
+  // if a value is not or an unknown has none at some place, on any rank. Those of the fault come
+  // first. Collective.
   double ask(FollowsFrom motion, StepIterate const& step, Norm norm);
-  // Whether those that follow from the body are to be asked, too, when those of the fault have
-  // changed by of_fault and the rate problem is solved or not.
+  // Whether the images of those that follow from the body are due, too, when those of the fault
+  // have changed by of_fault and the rate problem is solved or not.
   bool bodyIsWorthAsking(double of_fault, bool rate_converged, double tolerance) const;
-  // The next iterates in `to` of those that were asked last. Where these change more than before
+  // The next iterates in `to` of those whose images are new. Where these change more than before
   // the last advance, the remembered iterates point away from the fixed point and are forgotten.
   // Returns whether forces change with them. Collective.
   bool advance(State const& to);
@@ -49,7 +50,7 @@ public:
   void copyImages(State const& to) const;
 
   // The error of a step that ends in a, if b is its exact end: the largest of the unknowns that are
-  // asked, each times its scale in the last step. Between steps. Collective.
+  // iterated, each times its scale in the last step. Between steps. Collective.
   double distance(State const& a, State const& b, Norm norm) const;
 
 private:
@@ -75,7 +76,7 @@ private:
     NodeView image;
   };
 
-  // Those that are accelerated together.
+  // Unknowns that are accelerated together.
   struct Group
   {
     Group(UnknownSpace const& space, FollowsFrom motion, int depth);
@@ -92,7 +93,7 @@ private:
     std::vector<Entry> entries;
     NodeView x, images;    // (num_unknowns num_values)
     bool is_asked = false; // in this iteration
-    double change = 0;     // when last asked in this step; 0 before
+    double change = 0;     // of the last images in this step; 0 before
     double ratio = 0;      // of this change to that before it; 0 until there are two
     double last_advanced = std::numeric_limits<double>::infinity(); // the change before that
   };

@@ -30,8 +30,9 @@ KOKKOS_INLINE_FUNCTION double motionOfPlates(ConstNodeView const& rates, int nod
 // slips at rates that get lost in the rounding of v: w is zero where it is less than 8 units of
 // rounding of the motion of the plates.
 void gatherSlip(fem::FaultSurface const& surface, Vector const& v, BlockView const& blocks);
-// The same of the displacement u(owned dofs) after `time` [s] in which the plates have moved, from
-// that of the start(num_nodes, T): slip factor times the blocks(num_nodes, T) is slip as a vector.
+// The slip as gatherSlip gathers its rate, from the displacement u(owned dofs) after `time` [s] in
+// which the plates have moved, since start(num_nodes, T): slip factor times blocks(num_nodes, T) is
+// slip as a vector.
 void gatherSlipSince(fem::FaultSurface const& surface, ConstBlockView const& start, Vector const& u,
                      double time, BlockView const& blocks);
 

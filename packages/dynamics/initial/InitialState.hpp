@@ -5,8 +5,8 @@
 
 namespace asperity::dynamics
 {
-// The prescribed acceleration at t = 0, as a difference quotient over dt [s], which is small beside
-// all steps; zero at dofs that are not held.
+// The prescribed acceleration at t = 0, as a difference quotient over dt [s], which is small
+// compared with all steps; zero at dofs that are not held.
 RCP<Vector> prescribedAcceleration(Body const& body, double dt);
 
 // The acceleration that balances momentum at a given motion, state and normal stress: a minimises

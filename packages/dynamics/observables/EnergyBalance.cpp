@@ -112,7 +112,8 @@ struct TakenFromPlates
   double friction = 0, damping = 0;
 };
 
-// Of this rank, in a step of tau [s] with the velocities v0 and v1 at its ends.
+// What the motion of the plates adds to the works, at this rank's nodes in a step of tau [s] with
+// the velocities v0 and v1 at its ends.
 TakenFromPlates takenFromPlates(fem::FaultSurface const& surface, ConstNodeView const& eta,
                                 double tau, ForceOfStep const& force, Values const& v0,
                                 Values const& v1)
@@ -293,10 +294,10 @@ void EnergyBalance::resume(State const& state, Energy const& so_far)
   energy_.elastic = before_.elastic;
 }
 
-// Of this rank, in the step from before_ to after_. What the motion of the plates adds to the works
-// of friction and of radiation damping is supplied by the loads. The part eta Vp of the traction of
-// radiation damping is a load of the body (fem::addRadiationOfPlates): its work is moved from the
-// loads to what damping dissipates.
+// The works of this rank in the step from before_ to after_. The loads supply what the motion of
+// the plates adds to the works of friction and of radiation damping. The part eta Vp of the
+// traction of radiation damping is a load of the body (fem::addRadiationOfPlates): its work is
+// moved from the loads to what damping dissipates.
 EnergyBalance::Works EnergyBalance::worksOfStep() const
 {
   const auto during = [&](Vector const& f0, Vector const& f1) {

@@ -33,8 +33,8 @@ public:
     return Declare()
       .boolean("Enabled", false, "If true, friction falls at given times.")
       .field("Time", 1e9, "s", Range::any(),
-             "Friction begins to fall at this time at the latest. Where nothing is forced, it is "
-             "later than the end of the run.")
+             "Friction begins to fall at this time at the latest. Where nothing is to be forced, "
+             "give a time after the end of the run.")
       .field("Duration", 0.5, "s", Range::positive(),
              "From that time on friction falls to its dynamic coefficient within this time.")
       .list();

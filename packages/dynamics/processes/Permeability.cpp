@@ -114,7 +114,7 @@ void Permeability::declare(Declare& process)
     .field(of_largest, optional, "m^2", Range::positive(),
            "Permeability grows with slip towards this one, which Permeability Slip Distance needs.")
     .field(of_healing, optional, "s", Range::positive(),
-           "If given beside Permeability Slip Distance, permeability falls towards Least "
+           "If given together with Permeability Slip Distance, permeability falls towards Least "
            "Permeability within this time.")
     .field(of_least, optional, "m^2", Range::positive(),
            "Permeability falls in time towards this one, which Permeability Healing Time needs.");

@@ -76,8 +76,8 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning()
   {
-    return "This list describes a fluid in the fault, whose pressure diffuses along it and is "
-           "taken off the normal stress. Permeability, Storage and Width are required with it.";
+    return "This list describes a fluid in the fault, whose pressure diffuses along it and "
+           "reduces the normal stress. Permeability, Storage and Width are required with it.";
   }
 
   PorePressure(Teuchos::ParameterList const& parameters, FaultProcessContext const& context)
@@ -162,7 +162,8 @@ private:
     ASPERITY_REQUIRE(are_there || numberIn(parameters.getEntry("Fixed Where")),
                      joinPath(path, "Fixed Where")
                        << " = " << valueText(parameters.getEntry("Fixed Where"))
-                       << " is above zero at no node of the fault, whose edges would all be shut. "
+                       << " is above zero at no node of the fault, whose edges would all be "
+                          "impermeable. "
                           "Check its numbers against the places of the fault, allow for rounding "
                           "(abs(y + 40e3) < 1), or give 0.");
   }

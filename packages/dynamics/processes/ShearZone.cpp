@@ -10,9 +10,9 @@ namespace asperity::dynamics
 {
 namespace
 {
-// Of k w, above 0. Beyond the largest lies 2e-9 of the integral of the transform of g. Below the
-// smallest, modes do not decay: heat that has spread over w / 1e-8, after 1e16 w^2 / alpha_th,
-// stays at the fault.
+// The range of k w above 0. Beyond the largest lies 2e-9 of the integral of the transform of g.
+// Below the smallest, modes do not decay: heat that has spread over w / 1e-8, after 1e16 w^2 /
+// alpha_th, stays at the fault.
 constexpr double smallest_wavenumber = 1e-8, largest_wavenumber = 6;
 constexpr double pi = 3.14159265358979323846;
 

@@ -1,5 +1,5 @@
-// Thermal pressurisation: slip heats the fluid in its zone, whose pressure takes normal stress from
-// friction (Sibson 1973; Rice 2006, doi:10.1029/2005JB004006). ShearZone.hpp has the equations.
+// Thermal pressurisation: slip heats the fluid in its zone, whose pressure reduces the normal
+// stress (Sibson 1973; Rice 2006, doi:10.1029/2005JB004006). ShearZone.hpp has the equations.
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/FaultProcess.hpp"
 #include "dynamics/coupling/StepUnknown.hpp"
@@ -39,8 +39,8 @@ struct ZoneFields
   }
 };
 
-// That of the effective normal stress (StressScale.hpp), of which 1 % of the normal stress is left
-// at least.
+// The scale of the effective normal stress (StressScale.hpp), which is taken as 1 % of the normal
+// stress at least.
 void setPressureScale(ConstNodeView const& sigma_n, ConstNodeView const& p, NodeView const& scale)
 {
   constexpr double least_share = 1e-2, least = 1; // of sigma_n [-]; Pa
@@ -194,7 +194,7 @@ public:
   static std::string meaning()
   {
     return "Thermal pressurisation: friction heats the fluid in a zone across each place of the "
-           "fault, and the pressure of the fluid takes normal stress from friction.";
+           "fault, and the pressure of the fluid reduces the normal stress.";
   }
 
   ThermalPressurisation(Teuchos::ParameterList const& parameters,

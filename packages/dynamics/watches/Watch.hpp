@@ -69,7 +69,8 @@ public:
   virtual void note(WatchedState const& now, Notes& notes) = 0;
   // Throws SolveError if the run has to end. Comes after the notes are written.
   virtual void requireUse() const {}
-  // Of the whole run, at its end: a warning, and lines of the summary, each with its line break.
+  // At the end of the run: a warning about the whole run, and lines of its summary, each with its
+  // line break.
   virtual std::optional<Warning> warningOfRun() const { return std::nullopt; }
   virtual std::string report() const { return ""; }
 

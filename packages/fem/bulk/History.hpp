@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-// What rock remembers beside its inelastic strain and the accumulated shear. A law that remembers
-// more has a struct History, and a table that binds each variable to a member, a number or the
-// components of a tensor in the order of tensorComponents():
+// What rock remembers in addition to its inelastic strain and the accumulated shear. A law that
+// remembers more has a struct History, and a table that binds each variable to a member, a number
+// or the components of a tensor in the order of tensorComponents():
 //
 //   struct History
 //   {

@@ -13,6 +13,6 @@ struct InelasticStrain
 {
   TensorView strain;  // (num_cells, tensor components); deviatoric but where rock dilates
   TensorView shear;   // (num_cells, 1), accumulated
-  TensorView history; // (num_cells, columns), what laws remember besides (bulk/History.hpp)
+  TensorView history; // (num_cells, columns), what else laws remember (bulk/History.hpp)
 };
 } // namespace asperity::fem

@@ -21,6 +21,6 @@ struct MaxwellBranch
 std::vector<Material> longTerm(std::vector<Material> materials,
                                std::vector<MaxwellBranch> const& branches);
 
-// Those of the branch: its shear moduli alone, (num_cells).
+// The materials of the branch, which have its shear moduli alone, (num_cells).
 std::vector<Material> materialsOf(MaxwellBranch const& branch);
 } // namespace asperity::fem

@@ -4,7 +4,7 @@ namespace asperity::fem
 {
 namespace
 {
-// Dislocation creep: beside the elastic strain the rock has an inelastic one of the rate
+// Dislocation creep: in addition to the elastic strain the rock has an inelastic one of the rate
 //   e' = A t^(n - 1) s,   t = sqrt(s : s / 2),
 // in steps of backward Euler: t1 + 2 G A tau t1^n = t. Of all functions of the trial t this one
 // alone keeps the stress (rate / A)^(1 / n) of steady flow, however long the steps; all are first

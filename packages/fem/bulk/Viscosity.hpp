@@ -15,7 +15,7 @@ inline constexpr Parameter bulk_viscosity = {
   infinity,         true,   false, "This viscosity resists changes of volume (Kelvin-Voigt)."};
 } // namespace parameter
 
-// The dashpot beside the spring of a law (Kelvin and Voigt), which damps waves.
+// The dashpot parallel to the spring of a law (Kelvin and Voigt), which damps waves.
 struct Viscosity
 {
   double shear_viscosity; // Pa s

@@ -45,7 +45,7 @@ inline constexpr Parameter yield_relaxation = {
 
 } // namespace parameter
 
-// What laws with a yield stress have in common; they may be viscous besides.
+// What laws with a yield stress have in common; they may also be viscous.
 struct Yield : Viscosity
 {
   double hardening;       // H [Pa]

@@ -40,7 +40,8 @@ template <int Dim>
 class CellStress
 {
 public:
-  // Of these local cells; materials(num cells of the mesh). components: of the displacement.
+  // The stress in these local cells; materials(num cells of the mesh). components: of the
+  // displacement.
   CellStress(Mesh<Dim> const& mesh, int components, std::vector<Material> const& materials,
              std::vector<int> const& cells, std::vector<MaxwellBranch> const& branches = {},
              VolumetricPatches const& patches = {});

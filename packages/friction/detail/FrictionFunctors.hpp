@@ -7,8 +7,8 @@
 // references, which would take longer than the work at one node.
 namespace asperity::friction::detail
 {
-// v_i := the minimiser under the force r_i, beside a prescribed velocity of this length. False:
-// there is none.
+// v_i := the minimiser under the force r_i, at right angles to a prescribed velocity of the given
+// length. False: there is none.
 template <int T, class Potential>
 KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double beside, double curvature,
                                        double const (&force)[T], double* v)

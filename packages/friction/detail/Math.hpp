@@ -4,6 +4,8 @@
 
 #include <Kokkos_Core.hpp>
 
+#include <limits>
+
 // Functions that both friction laws use, on host and device. All quantities are dimensionless.
 namespace asperity::friction
 {
@@ -11,7 +13,7 @@ namespace math = asperity::math; // for laws, those of plugins too
 
 namespace detail
 {
-inline constexpr double epsilon = 2.220446049250313e-16; // 2^-52
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 // For x above this, 1 + exp(-2 x) is rounded to 1.
 inline constexpr double asymptotic_from = 20;

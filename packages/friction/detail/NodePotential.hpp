@@ -109,7 +109,7 @@ struct NodePotential
   }
 
   // The length of argmin_w curvature/2 |w|^2 - <r, w> + psi(w + p) for |r| = load, where w is at
-  // right angles to p, which is prescribed, and |p| = beside > 0. As psi is convex, so is its
+  // right angles to p, the prescribed rate, and |p| > 0 is given first. As psi is convex, so is its
   // restriction, and it is smooth at w = 0.
   KOKKOS_INLINE_FUNCTION RateSolution minimiseBeside(double beside, double curvature, double load,
                                                      double guess) const

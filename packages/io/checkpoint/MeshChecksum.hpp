@@ -13,7 +13,8 @@ enum class ChecksumOf
   everything // and where the vertices are
 };
 
-// Of the whole mesh, however it is divided among ranks; the same on every rank. Collective.
+// The checksum of the whole mesh, however it is divided among ranks; the same on every rank.
+// Collective.
 template <int Dim>
 std::uint64_t checksum(Mesh<Dim> const& part, ChecksumOf what, Communicator const& communicator);
 } // namespace asperity::io

@@ -132,7 +132,7 @@ std::int64_t writeAtNodes(std::optional<h5::File>& file, std::string const& path
   return static_cast<std::int64_t>(sum);
 }
 
-// Of rank 0.
+// Writes the value that rank 0 has.
 std::int64_t writeCommon(h5::File& file, std::string const& path, Archive::Value const& value)
 {
   std::uint64_t sum = 0;

@@ -32,7 +32,7 @@ Neighbours neighboursAlong(std::vector<Segment> const& segments,
   return neighbours;
 }
 
-// Of each of the vertices how many greater heights they have; 0 for all if height does not matter.
+// For each vertex the number of greater heights among all; 0 for all if height does not matter.
 std::map<GlobalOrdinal, int> ranksByHeight(std::vector<GlobalOrdinal> const& vertices,
                                            std::map<GlobalOrdinal, PlanePoint> const& coordinates,
                                            CurveStart start)

@@ -24,7 +24,7 @@ DirectoryLock prepareOutputDirectory(std::filesystem::path const& directory,
                                      ExistingResult existing, Communicator const& comm);
 
 // The existing files in `directory` that a run writes: parameters.xml, run.log, run.jsonl,
-// checkpoint.h5, the segments, and the files that the registered outputs and text formats name;
-// also links with such names, whatever they lead to. Throws InputError if a folder cannot be read.
+// checkpoint.h5, the segments, and the files that the registered outputs name; also links with
+// such names, whatever they lead to. Throws InputError if a folder cannot be read.
 std::vector<std::filesystem::path> resultFiles(std::filesystem::path const& directory);
 } // namespace asperity::io

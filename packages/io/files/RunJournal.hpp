@@ -18,8 +18,8 @@ namespace asperity::io
 // Numbers, and vectors of several, by name.
 using Facts = std::map<std::string, std::vector<double>>;
 
-// DIR/run.jsonl: what programs need to know of the course of a run, one JSON object a line, beside
-// run.log, which is for people. Each object has `event`, `step` and `time` [s], and
+// DIR/run.jsonl: what programs need to know of the course of a run, one JSON object a line, in
+// addition to run.log, which is for people. Each object has `event`, `step` and `time` [s], and
 //
 //   begin    `clock`, the seconds since 1970; a process begins to write
 //   fault    how the fault lies (catalogue/FaultFacts.hpp) and `one_sense`, which is

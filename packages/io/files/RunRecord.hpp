@@ -21,7 +21,7 @@ public:
   // InputError on every rank if the log cannot be opened.
   RunRecord(std::filesystem::path const& directory, bool goes_on, Communicator const& comm);
 
-  // Of all processes of the run, without what a restart computes again [s].
+  // The time of all processes of the run, without what a restart computes again [s].
   double wallTime() const;
   // How far the run is, for the lines of the journal to come.
   void at(std::int64_t step, double time) { journal_.at(step, time); }

@@ -56,7 +56,7 @@ public:
     }
   }
 
-  // None as long as the speed is unknown, and in events before a whole cycle is known.
+  // Null as long as the speed is unknown, and during events before a whole cycle is known.
   std::optional<Estimate> estimate(double final_time) const
   {
     if (times_.size() < 2) {

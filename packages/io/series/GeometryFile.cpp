@@ -98,7 +98,7 @@ Piece elementPiece(std::string const& name, std::string const& description,
           Integers(nodes.begin(), nodes.begin() + count * corners)};
 }
 
-// Of a surface that is made of several boundaries.
+// The boundary of each element of a surface that is made of several boundaries.
 Piece boundaryPiece(OutputDomain const& domain, ElementBlocks const& elements)
 {
   const std::vector<double> own(domain.element_boundaries.begin(), domain.element_boundaries.end());

@@ -90,8 +90,8 @@ struct StepRow
   }
 };
 
-// Of a symmetric tridiagonal matrix, by bisection: a number is above all eigenvalues if all pivots
-// of the matrix less that number are negative.
+// The largest eigenvalue of a symmetric tridiagonal matrix, by bisection: a number is above all
+// eigenvalues if all pivots of the matrix less that number are negative.
 double largestEigenvalue(std::vector<double> const& diagonal, std::vector<double> const& beside)
 {
   const auto isAboveAll = [&](double number) {

@@ -39,7 +39,7 @@ public:
   static std::optional<std::vector<double>> constants(std::string const& text,
                                                       std::string const& path);
 
-  // "+ - * / ^, ..., and the functions abs, ...": what a formula may use besides names.
+  // "+ - * / ^, ..., and the functions abs, ...": what else a formula may use than names.
   static std::string operations();
   // Functions, coordinates and constants: names that have a meaning here.
   static std::vector<std::string> reservedNames();

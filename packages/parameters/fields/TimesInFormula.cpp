@@ -84,7 +84,7 @@ struct ShiftedTime
   double whenEqualTo(double value) const { return (value - offset) / sign; }
 };
 
-// Of "t", "t - 60", "(60 - t)" and the like.
+// The shift and the sign of "t", "t - 60", "(60 - t)" and the like; nullopt for other parts.
 std::optional<ShiftedTime> shiftedTime(Parts parts)
 {
   while (isEnclosed(parts)) {

@@ -36,8 +36,8 @@ template <int Dim>
 dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Body const& body,
                                  dynamics::Fault const& fault, StartOfRun const& start);
 
-// Of an initial velocity that moves both sides of a two-sided fault, and so does not make it slip,
-// in a quasi-dynamic model, where it has no other effect. Collective.
+// Warns of an initial velocity that moves both sides of a two-sided fault, and so does not make it
+// slip, in a quasi-dynamic model, where it has no other effect. Collective.
 template <int Dim>
 std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const& mesh,
                                       fem::FaultSurface const& surface);

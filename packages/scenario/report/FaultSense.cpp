@@ -274,8 +274,9 @@ std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
   return "";
 }
 
-// Of a fault whose parts face each other. Inside the body it closes around a part of it, and plus
-// is the outside (mesh::splitFaults); else the body lies all around, or in it.
+// The sense of a fault whose parts face each other. Inside the body such a fault encloses a part of
+// it, and its plus side is the outside (mesh::splitFaults); else the body lies all around it, or in
+// it.
 template <int Dim>
 std::string senseOfRing(Problem<Dim> const& problem)
 {

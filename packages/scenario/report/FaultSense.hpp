@@ -26,8 +26,8 @@ struct FaultSides
 // down dip: a normal fault in a section, left lateral in a map".
 std::string senseOfSlip(FaultSides const& sides);
 
-// That of slip with this sign, in two dimensions: "a thrust in a section, right lateral in a map";
-// of a section that is known to be one "a thrust"; antiplane "right lateral seen from above".
+// The sense of slip with this sign, in two dimensions: "a thrust in a section, right lateral in a
+// map"; in a section that is known to be one "a thrust"; antiplane "right lateral seen from above".
 std::string senseInWords(FaultSides const& sides, double slip);
 
 // Strike and dip of a fault in space, in degrees, as Aki and Richards define them: the strike

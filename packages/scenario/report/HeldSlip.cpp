@@ -152,7 +152,7 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
         {"slip at a boundary",
          text +
            "none. Stress grows there as at the tip of a crack. If "
-           "the fault shall slip there, choose a Type that leaves motion along the fault free: "
+           "the fault is to slip there, choose a Type that leaves motion along the fault free: "
            "Free Surface, or Sliding Wall where the fault lies along that wall; or let a "
            "boundary of the Type " +
            continuationType().name + " continue the fault."});

@@ -42,7 +42,7 @@ std::string percent(double share)
   return formatShort(std::round(value / unit) * unit) + " %";
 }
 
-// By how much the fault is too stiff, as a sentence; empty for so few cells that nobody knows.
+// By how much the fault is too stiff, as a sentence; empty for so few cells that it is unknown.
 std::string tooStiff(dynamics::FaultResolution const& resolution)
 {
   constexpr double fewest_cells = 2; // per cohesive zone
@@ -53,7 +53,7 @@ std::string tooStiff(dynamics::FaultResolution const& resolution)
   return " Such bricks make it too stiff by about " +
          (along ? percent(*along) + " for slip along" : "") + (along && across ? " and " : "") +
          (across ? percent(*across) + " for slip across" : "") +
-         " waves of four cohesive zones, cells without order by more.";
+         " waves of four cohesive zones, unstructured meshes by more.";
 }
 
 // Peak memory of this rank so far.
@@ -187,9 +187,10 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   std::vector<Warning> warnings;
   if (resolution.cells_per_zone < enough_cells) {
     warnings.push_back(
-      {"cohesive zone", "fewer than 3 cells per cohesive zone. Ruptures will depend on the mesh; "
-                        "refine the fault by a factor of " +
-                          rounded(enough_cells / resolution.cells_per_zone) + "."});
+      {"cohesive zone",
+       "The cohesive zone has fewer than 3 cells. Ruptures will depend on the mesh; "
+       "refine the fault by a factor of " +
+         rounded(enough_cells / resolution.cells_per_zone) + "."});
   }
   const bool has_formula =
     state_law == friction::AgeingLaw::name || state_law == friction::SlipWeakeningState::name;

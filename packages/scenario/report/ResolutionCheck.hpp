@@ -24,8 +24,8 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
                                       std::string const& state_law);
 
-// Of cells beside a fault that are far higher than long, whether it has friction or known slip.
-// Collective.
+// Warns of cells beside a fault that are far higher than long, whether the fault has friction or
+// known slip. Collective.
 template <int Dim>
 std::optional<Warning> warnOfCellShape(Problem<Dim> const& problem);
 

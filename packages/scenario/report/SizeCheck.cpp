@@ -21,8 +21,9 @@ namespace
 {
 constexpr double diameter_of_earth = 12.742e6; // m
 
-// Of the shortest wavelength that grows in steady slip: a layer on a rigid foundation is unstable
-// if it is higher than a 2 pi-th of it. Three is for bodies that are softer than a layer.
+// The height of the smallest unstable body, as a share of the shortest wavelength that grows in
+// steady slip: a layer on a rigid foundation is unstable if it is higher than a 2 pi-th of it. The
+// factor three is for bodies that are softer than a layer.
 const double smallest_body = 1 / (2 * std::acos(-1.) * 3);
 
 constexpr char const* in_km =

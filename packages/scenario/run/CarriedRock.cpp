@@ -77,7 +77,7 @@ Values valuesOfElements(Problem<Dim> const& problem, fem::InelasticStrain const&
   return values;
 }
 
-// Of all cells that this rank has.
+// The centroids of all cells that this rank has.
 template <int Dim>
 Values centroids(Mesh<Dim> const& mesh)
 {

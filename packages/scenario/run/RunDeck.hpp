@@ -7,8 +7,8 @@
 
 namespace asperity::scenario
 {
-// Both throw InputError, on every rank, if the deck describes no problem that can be solved. `deck`
-// must be complete. Collective.
+// Both functions throw InputError, on every rank, if the deck describes no problem that can be
+// solved. `deck` must be complete. Collective.
 
 // Prepares the run of a deck without touching a file, and returns the first lines of its log.
 Description validateDeck(RCP<ParameterList> const& deck, CommandLine const& command_line,

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// The laws that a deck chooses by name, whose parameters stand beside the choice.
+// The laws that a deck chooses by name, whose parameters are entries of the same list.
 namespace asperity::scenario
 {
 using ParameterTable = std::vector<Parameter>;

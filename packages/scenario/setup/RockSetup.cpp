@@ -196,7 +196,7 @@ void refuseStressAtStart(ParameterList const& list)
                    "Normal Stress. Remove the list, or choose such a Law.");
 }
 
-// None if no rank has a cell that yields.
+// The rock that yields; nullopt if no rank has a cell that does.
 template <int Dim>
 std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Dim> const& mesh,
                                               std::vector<LawOfRock> const& laws,

@@ -50,7 +50,7 @@ Entries<SolverSettings> solverEntries(ParameterList& list)
           "recently used ones are removed first.")
     .others()
     .sublist("MueLu Correction", tnnmg::MultigridCorrection::validParameters(),
-             "This list controls the linear correction by MueLu's multigrid.");
+             "This list controls the linear correction by algebraic multigrid.");
   return entries;
 }
 

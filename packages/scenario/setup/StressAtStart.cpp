@@ -36,7 +36,7 @@ std::string text(Tractions const& tractions)
          " Pa and a normal stress of " + formatShort(tractions.normal) + " Pa";
 }
 
-// Of the stress (6 components), -sigma n; the body lies on the side against which n points.
+// The tractions -sigma n of the stress (6 components); n points away from the body.
 Tractions tractionsOf(std::array<double, 6> const& stress, fem::FaultNode const& node)
 {
   std::array<double, 3> traction{};

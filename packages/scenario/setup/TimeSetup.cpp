@@ -233,13 +233,13 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
       has_mass || radius < 1,
       time_path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
                    "mass (Quasi-dynamic) the velocity would change its sign in every "
-                   "step for ever. Choose one below 1.");
+                   "step. Choose one below 1.");
     return dynamics::RateUpdate::generalisedAlpha(radius);
   }
   ASPERITY_REQUIRE(has_mass, time_path
                                << " / Scheme = 'Newmark' needs inertia: without mass "
                                   "(Quasi-dynamic) its velocity would change its sign in every "
-                                  "step for ever. Choose 'Generalised Alpha' or 'Backward "
+                                  "step. Choose 'Generalised Alpha' or 'Backward "
                                   "Euler'.");
   return newmark(list);
 }

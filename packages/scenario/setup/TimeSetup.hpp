@@ -14,7 +14,7 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 std::string meaningOfTime();
 
-// Its own entries.
+// The entries of this list, without those of its sublists.
 struct TimeSettings
 {
   double final_time = 0;        // [s]

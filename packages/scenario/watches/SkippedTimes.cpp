@@ -89,8 +89,8 @@ std::optional<Warning> SkippedTimes::note(double begin, double end)
   auto const behind = std::upper_bound(first, times_.end(), end);
   if (behind - first >= 2) {
     return warn(formatShort(*first) + " s and " + formatShort(*(behind - 1)) +
-                " s, with which expressions of the deck compare t. What loads do between these "
-                "times is not seen. Name them in 'Time Stepping / Instants'.");
+                " s, with which expressions of the deck compare t. The run misses what loads "
+                "do between these times. Name them in 'Time Stepping / Instants'.");
   }
   for (auto const& pulse : pulses_) {
     if (begin < pulse.centre && pulse.centre < end && isPassed(pulse, begin, end)) {

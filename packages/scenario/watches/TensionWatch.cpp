@@ -16,7 +16,8 @@ namespace
 constexpr double of_normal_stress = 0.01, of_shear_stress = 0.1;
 constexpr char const* topic = "fault in tension";
 
-// Of forces(owned dofs) along the fault at this rank's nodes that slide [Pa]; 0 without nodes.
+// The largest traction of forces(owned dofs) along the fault at this rank's nodes that slide [Pa];
+// 0 without nodes.
 double largestShear(fem::FaultSurface const& surface, Vector const& all)
 {
   auto const forces = all.getLocalViewDevice(Tpetra::Access::ReadOnly);
@@ -63,7 +64,7 @@ void setTension(fem::FaultSurface const& surface, ConstNodeView const& start,
     });
 }
 
-// Of this rank's nodes with more than that.
+// The measure of this rank's nodes with a tension of more than `least`.
 double measureAbove(fem::FaultSurface const& surface, ConstNodeView const& tension, double least)
 {
   auto const weights = surface.weights();

@@ -18,7 +18,7 @@ namespace asperity::scenario
 class TensionWatch : public dynamics::Watch
 {
 public:
-  // Of the context, since_start is empty where nothing presses across the fault (antiplane motion,
+  // since_start of the context is empty where nothing presses across the fault (antiplane motion,
   // antisymmetric faults). Collective.
   TensionWatch(ParameterList const&, dynamics::WatchContext const& context);
   static std::string meaning() { return "a body that pulls at its fault"; }

@@ -11,7 +11,7 @@ namespace asperity::tnnmg::detail
 {
 namespace
 {
-// Of MueLu's cycle, which only MueLu's own cycle takes.
+// Whether the parameter is about the cycle, and so has a meaning only for MueLu's own cycle.
 bool isAboutCycle(std::string const& name)
 {
   return name.rfind("smoother:", 0) == 0 || name == "coarse: type" || name == "coarse: params";

@@ -27,7 +27,8 @@ public:
   int numLevels() const;
   RCP<const CrsMatrix> prolongator(int level) const; // to the level above, from level 1 on
   RCP<const CrsMatrix> matrix(int level) const;
-  // Of a level between the first and the last, if the list has "reuse: type" = "RP".
+  // The near null space of a level between the first and the last, if the list has "reuse: type" =
+  // "RP".
   RCP<const MultiVector> nearNullSpace(int level) const;
 
   // One cycle for A z = r that begins with z = 0.

@@ -37,7 +37,7 @@ class Decks(unittest.TestCase):
         self.assertNotIn("WARNING", result.stdout)
         coarse = asperity_run.run(wedge, "--validate", "--set", "Friction/L=1e-6")
         self.assertEqual(coarse.returncode, 0)
-        self.assertIn("WARNING: fewer than 3 cells per cohesive zone", coarse.stdout)
+        self.assertIn("WARNING: The cohesive zone has fewer than 3 cells", coarse.stdout)
         ranks = asperity_run.run(wedge, "--validate", "--set",
                                  "TNNMG/Linear Correction=MueLu", ranks=2)
         self.assertIn("multigrid usually takes", ranks.stdout)

@@ -58,7 +58,7 @@ class Wedge(unittest.TestCase):
         patch = ["--overlay", HERE / "patch.xml", "--set", "Mesh/Wedge/Cell Size=0.004"]
         self.assertNotIn("WARNING", self.validate(*patch))
         text = self.validate(*patch, "--remove", "Mesh/Wedge/Refined Intervals")
-        self.assertIn("WARNING: fewer than 3 cells per cohesive zone", text)
+        self.assertIn("WARNING: The cohesive zone has fewer than 3 cells", text)
 
     def test_two_ranks_stopped_then_one_then_figures(self):
         folder = runs.fresh("wedge").absolute()

@@ -23,7 +23,7 @@ inline CouplingSettings coupling(double tolerance, int max_iterations)
   return settings;
 }
 
-// States beside the archive.
+// States that are kept outside the archive.
 class StatesInMemory : public StateArchive
 {
 public:

@@ -25,7 +25,7 @@ double relaxingStress(double modulus, double t_r, double t)
 }
 } // namespace
 
-// A step with a constant strain rate is exact, however long beside the relaxation times.
+// A step with a constant strain rate is exact, however long compared with the relaxation times.
 TEST(MaxwellBranches, GiveTheStressOfAConstantStrainRate)
 {
   for (double time : {0.05, 3., 1e6}) {
@@ -48,7 +48,7 @@ TEST(MaxwellBranches, GiveTheStressOfAConstantStrainRate)
   }
 }
 
-// With inertia, friction, viscosity and gravity beside them, whatever the steps.
+// With inertia, friction, viscosity and gravity in addition, whatever the steps.
 TEST(MaxwellBranches, TakeTheEnergyThatLeavesTheBody)
 {
   for (int components : {1, 2}) {

@@ -63,7 +63,7 @@ TEST(Yield, GivesTheStressOfAShearedLayer)
   EXPECT_EQ(layer.count.rises, 0);
 }
 
-// With inertia, friction, viscosity and gravity beside it, whatever the steps, in all dimensions.
+// With inertia, friction, viscosity and gravity in addition, whatever the steps, in all dimensions.
 // The rock below was weakened until a thousandth of the friction work is inelastic.
 template <class Options, class Begin>
 void expectClosedBalance(Options options, Begin const& begin, std::string const& law,

@@ -72,7 +72,7 @@ void expectGoodPart(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
   EXPECT_TRUE(std::is_sorted(ids, ids + part.num_owned));
   EXPECT_TRUE(std::is_sorted(ids + part.num_owned, part.global_ids.end()));
 
-  // Complete rows: exactly the cells and facets with an owned vertex, and no vertex besides.
+  // Complete rows: exactly the cells and facets with an owned vertex, and no other vertex.
   EXPECT_EQ(localOnes(part.cells, part.global_ids), touching(mesh.cells, is_owned));
   std::set<int> used;
   for (auto const& cell : part.cells) {

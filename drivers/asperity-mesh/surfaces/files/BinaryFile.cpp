@@ -46,8 +46,8 @@ void BinaryFile::requireRoom(std::uint64_t count, std::uint64_t bytes_each,
 {
   const std::uint64_t room = position_ < size_ ? (size_ - position_) / bytes_each : 0;
   if (count > room) {
-    fail("the file names " + std::to_string(count) + " " + things + ", but has room for " +
-         std::to_string(room) + ": it is cut or damaged.");
+    fail("the file names " + std::to_string(count) + " " + things +
+         ", but its size allows at most " + std::to_string(room) + ": it is cut or damaged.");
   }
 }
 

@@ -41,7 +41,7 @@ public:
   {
     while (file_.next()) {
       if (file_.word(0) != "GOCAD") {
-        file_.fail("'GOCAD TSurf 1' is expected at the begin of an object.");
+        file_.fail("'GOCAD TSurf 1' is expected at the beginning of an object.");
       }
       file_.require(2, "GOCAD TSurf 1");
       file_.word(1) == "TSurf" ? readObject() : skipObject();

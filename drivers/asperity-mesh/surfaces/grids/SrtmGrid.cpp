@@ -9,8 +9,8 @@
 
 namespace asperity::geometry
 {
-// Heights of a square degree [m], big-endian, row by row from the north west corner; the name of
-// the file has the south west corner.
+// Heights of a square degree [m], big-endian, row by row from the north-west corner; the name of
+// the file has the south-west corner.
 GridData readSrtmGrid(std::string const& file_name, std::string const& /*variable*/)
 {
   constexpr std::int16_t undefined = -32768;
@@ -20,7 +20,7 @@ GridData readSrtmGrid(std::string const& file_name, std::string const& /*variabl
   std::smatch match;
   ASPERITY_REQUIRE(std::regex_search(name, match, corner),
                    file.where() << " has no corner in its name, as N34W119.hgt has: latitude 34 "
-                                   "north, longitude 119 west, of its south west corner.");
+                                   "north, longitude 119 west, of its south-west corner.");
   const auto size =
     static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(file.size()) / 2)));
   ASPERITY_REQUIRE((size == 1201 || size == 3601) && file.size() == 2 * size * size,

@@ -41,7 +41,7 @@ public:
     const std::size_t num_x = count("ncols"), num_y = count("nrows");
     ASPERITY_REQUIRE(static_cast<double>(num_x) * static_cast<double>(num_y) <=
                        static_cast<double>(file_.size()) / 2,
-                     file_.where() << " has room for fewer than the " << num_x << " x " << num_y
+                     file_.where() << " is too small for the " << num_x << " x " << num_y
                                    << " values that its header names: it is cut or damaged.");
     std::vector<double> z;
     z.reserve(num_x * num_y);

@@ -75,7 +75,7 @@ void NetcdfClassic::readHeader()
   file_.read(magic.data(), magic.size());
   version_ = magic[3];
   if (std::string(magic.data(), 3) != "CDF" || (version_ != 1 && version_ != 2 && version_ != 5)) {
-    file_.fail("'CDF' and version 1, 2 or 5 are expected at the begin.");
+    file_.fail("'CDF' and version 1, 2 or 5 are expected at the beginning.");
   }
   num_records_ = count();
   readDimensions();

@@ -171,7 +171,7 @@ private:
         ASPERITY_REQUIRE(plus < 0 || plus == there,
                          where_ << ": " << list(main, names_) << " cannot be oriented at "
                                 << text(vertex_.place)
-                                << ": its upper side changes there. Give parts that only touch "
+                                << ": its plus side changes there. Give parts that only touch "
                                    "each other different names, and separate them.");
         plus = there;
       }

@@ -28,7 +28,7 @@ public:
   std::vector<double> numbersAttribute(std::string const& name, std::size_t count) const;
   std::vector<std::string> groupEntries(std::string const& path) const; // names, sorted
 
-  // Of a dataset. Throws InputError also if the file is too small for that many rows.
+  // The rows of a dataset. Throws InputError also if the file is too small for that many rows.
   hsize_t numRows(std::string const& path) const;
 
   std::vector<int> integers(std::string const& path) const; // of a one-dimensional dataset

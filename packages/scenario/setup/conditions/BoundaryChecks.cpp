@@ -44,7 +44,7 @@ struct FoundFacets
   std::string place;
 };
 
-// Those of a boundary that `counts` accepts. Collective.
+// The facets of a boundary that `counts` accepts. Collective.
 template <int Dim, class Counts>
 FoundFacets<Dim> findFacets(Mesh<Dim> const& mesh, std::string const& boundary,
                             Communicator const& communicator, Counts const& counts)

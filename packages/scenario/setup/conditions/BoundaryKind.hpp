@@ -10,7 +10,7 @@
 
 namespace asperity::scenario
 {
-// A kind of condition on a boundary beside faults: a value of the entry `Type`. Its file, in
+// A kind of condition on a boundary that is not a fault: a value of the entry `Type`. Its file, in
 // `kinds` or in a library of your own, is all that it needs:
 //
 //   struct ElasticFoundation
@@ -23,7 +23,7 @@ namespace asperity::scenario
 //                     BoundaryConditions<Dim>& result);
 //   };
 //   ASPERITY_REGISTER(BoundaryKindRegistry, "Elastic Foundation",
-// BoundaryKindOf<ElasticFoundation>)
+//                     BoundaryKindOf<ElasticFoundation>)
 //
 // `add` reads the entries (ConditionEntries.hpp) and adds what the condition contributes: to
 // result.velocities a condition on the velocity (fem::VelocityCondition), to result.tractions a
@@ -50,7 +50,7 @@ public:
   virtual void add(BoundaryCondition const& condition, ConditionContext const& context,
                    BoundaryConditions<3>& result) const = 0;
 
-  std::vector<std::string> entries() const; // that it reads besides `Boundary` and `Type`
+  std::vector<std::string> entries() const; // that it reads, without `Boundary` and `Type`
 };
 
 using BoundaryKindRegistry = Registry<BoundaryKind>;

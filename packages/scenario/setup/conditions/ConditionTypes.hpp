@@ -47,7 +47,7 @@ struct ConditionType
 {
   std::string name;
   std::string meaning;            // for the list of parameters
-  std::vector<std::string> reads; // entries besides `Boundary` and `Type`
+  std::vector<std::string> reads; // entries other than `Boundary` and `Type`
   ConditionPlace place;
   DecidesOn decides_on;
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;

@@ -8,7 +8,7 @@ namespace asperity::scenario
 {
 void declareSteadyFriction(Declare& declare);
 
-// Of the deck's list `Friction`. InputError if a dataset cannot be read, the slip rates do not
-// increase, a number is not above zero, or there are not as many of both.
+// The table that the deck's list `Friction` names. InputError if a dataset cannot be read, the slip
+// rates do not increase, a number is not above zero, or there are not as many of both.
 friction::TableView steadyFriction(ParameterList const& list);
 } // namespace asperity::scenario
