@@ -83,9 +83,9 @@ TEST(Entries, ReadWhatTheDeckGives)
   auto list = withBoundary();
   list.set("Length", 5.).set("Width", 6.).set("Number", 7).set("On", false);
   list.set("Law", "Second").set("Colour", "Red");
-  list.set("Times", Teuchos::Array<double>{8}).set("Direction", Teuchos::Array<double>{9, 10});
-  list.set("Levels", Teuchos::Array<int>{11, 12});
-  list.set("Fields", Teuchos::Array<std::string>{});
+  list.set("Times", array<double>({8})).set("Direction", array<double>({9, 10}));
+  list.set("Levels", array<int>({11, 12}));
+  list.set("Fields", array<std::string>({}));
   auto const found = read(list);
   EXPECT_EQ(found.length, 5);
   EXPECT_EQ(found.width, 6);
@@ -103,7 +103,7 @@ TEST(Entries, RefuseWhatIsMissingOrOutOfRange)
 {
   expectRefusal([] { read(ParameterList()); }, {"Sample / Boundary", "missing"});
   auto list = withBoundary();
-  list.set("Levels", Teuchos::Array<int>{61});
+  list.set("Levels", array<int>({61}));
   expectRefusal([&] { read(list); }, {"Sample / Levels", "61"});
   list = withBoundary();
   list.set("Law", "Third");
