@@ -1,9 +1,11 @@
 #include "Commands.hpp"
 #include "GmshSession.hpp"
 #include "Meshes.hpp"
+#include "Partitioning.hpp"
 #include "TargetFolder.hpp"
 #include "building/BuildMesh.hpp"
 #include "building/BuildReport.hpp"
+#include "building/DeckEstimate.hpp"
 #include "building/ShortOptions.hpp"
 
 #include "base/Errors.hpp"
@@ -79,12 +81,13 @@ void requireTolerance(asperity::GlobalMesh<3> const& mesh, BuildSettings const& 
 }
 
 // As it will be when the mesh is read, so that nothing is written that cannot be used.
-void requireSplit(asperity::GlobalMesh<3> const& mesh,
-                  std::vector<asperity::geometry::Junction> const& junctions)
+asperity::GlobalMesh<3> splitMesh(asperity::GlobalMesh<3> const& mesh,
+                                  std::vector<asperity::geometry::Junction> const& junctions)
 {
   auto split = mesh;
   try {
     asperity::mesh::splitFaults(split, "The mesh");
+    return split;
   } catch (asperity::InputError const& error) {
     std::string advice;
     for (auto const& junction : junctions) {
@@ -100,7 +103,8 @@ void requireSplit(asperity::GlobalMesh<3> const& mesh,
   }
 }
 
-void buildFile(BuildSettings const& settings, Files const& files, bool is_dry)
+void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
+               Partitioning const& partitioning)
 {
   const Progress tell;
   int triangles = 0;
@@ -115,10 +119,16 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry)
   const auto arranged = asperity::geometry::arrangeSurfaces(settings);
   tell("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
   report(arranged, settings.model, std::cout);
+  const auto size = sizeOfCells(arranged, settings);
+  const auto expected = asperity::geometry::expectedCells(arranged.complex, settings.model, size);
+  report(expected, std::cout);
+  if (!settings.deck.empty()) {
+    reportDeck(settings.deck, arranged.complex, settings, size, expected, std::cout);
+  }
   if (is_dry) {
     return;
   }
-  auto mesh = asperity::geometry::meshArranged(arranged, settings, tell);
+  auto mesh = asperity::geometry::meshArranged(arranged, settings, size, tell);
   report(mesh, settings.model, std::cout);
   if (const auto touching = asperity::mesh::touchingFacets(mesh)) {
     warn("'" + files.mesh + "': " + asperity::mesh::sentence(*touching));
@@ -127,8 +137,12 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry)
   for (auto& x : mesh.vertices) {
     x = settings.is_y_up ? asperity::Point<3>{x[0], x[2], -x[1]} : x;
   }
-  requireSplit(mesh, junctions(arranged.complex, settings.model));
-  writeAndReport(mesh, files.mesh);
+  const auto split = splitMesh(mesh, junctions(arranged.complex, settings.model));
+  if (partitioning.numParts()) {
+    partitioning.write(split, {}, files.mesh);
+  } else {
+    writeAndReport(mesh, files.mesh);
+  }
 }
 } // namespace
 
@@ -151,9 +165,13 @@ void build(Arguments& arguments)
            "borders this near to another surface are made to meet it (0.1 of the size)")
     .value("--projection", options.projection, "TEXT", "for degrees: utm11, EPSG:32611, ...")
     .values("--set", options.assignments, "PATH/NAME=VALUE", "a parameter of the deck")
+    .value("--deck", options.deck, "RUN.xml",
+           "a deck of asperity: report what it is to expect of the mesh")
     .flag("--dry", is_dry, "stop before the mesh is made, and report")
     .flag("--print-parameters", prints, "print the parameters of a deck")
     .value("--format", format, "text or xml", "of these");
+  Partitioning partitioning;
+  partitioning.declare(arguments);
   arguments.overwrite();
   if (!arguments.read({"MODEL.xml", "OUT.h5"}, 0)) {
     return;
@@ -165,10 +183,11 @@ void build(Arguments& arguments)
                            format == "xml" ? asperity::ParameterFormat::xml
                                            : asperity::ParameterFormat::text);
   }
+  partitioning.check();
   const auto files = filesOf(arguments, is_dry);
   if (!is_dry) {
     arguments.requireNew(files.mesh);
     requireFolder(files.mesh);
   }
-  buildFile(settingsOf(files, options), files, is_dry);
+  buildFile(settingsOf(files, options), files, is_dry, partitioning);
 }

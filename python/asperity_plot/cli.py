@@ -34,7 +34,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
     listing = "\n".join(_line(name, *of) for name, of in FIGURES.items())
     parser = argparse.ArgumentParser(
         prog=PROGRAM, formatter_class=argparse.RawDescriptionHelpFormatter,
-        description="Draws figures of a run of asperity, or one of a mesh file, as PNG, PDF or SVG.",
+        description="Draws figures of a run of asperity, or of a mesh file, as PNG, PDF or SVG.",
         epilog="figures, and the file of the run that each needs:\n" + listing)
     parser.add_argument("directory", metavar="DIR or MESH.h5", type=Path,
                         help="the run's output directory, or a file of a mesh in space, of which "

@@ -1,5 +1,7 @@
 #include "building/BuildMesh.hpp"
 
+#include "meshing/CellEstimate.hpp"
+#include "meshing/EdgeDivision.hpp"
 #include "meshing/Features.hpp"
 #include "meshing/Relocation.hpp"
 #include "meshing/Volume.hpp"
@@ -39,15 +41,26 @@ Arranged arrangeSurfaces(BuildSettings const& settings)
                       });
 }
 
+CellSize sizeOfCells(Arranged const& arranged, BuildSettings const& settings)
+{
+  constexpr double smallest_share = 0.02; // of cells in narrow places
+  auto size = cellSize(arranged.complex, settings);
+  size->addLimits(narrowPlaces(arranged.complex, *size, smallest_share));
+  return *size;
+}
+
 GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
+                           CellSize const& size,
                            std::function<void(std::string const&)> const& tell)
 {
-  const auto size = cellSize(arranged.complex, settings);
-  constexpr double smallest_share = 0.02; // of cells in narrow places
-  size->addLimits(narrowPlaces(arranged.complex, *size, smallest_share));
-  auto mesh = fillVolume(arranged.complex, settings.model, *size, tell);
-  constexpr double wanted_angle = 12; // degrees
-  const int flat = relocateVertices(mesh, arranged.complex, settings.model, wanted_angle);
+  auto mesh = fillVolume(arranged.complex, settings.model, size,
+                         expectedCells(arranged.complex, settings.model, size).cells, tell);
+  constexpr double wanted_angle = 12, least_angle = 8; // degrees
+  int flat = relocateVertices(mesh, arranged.complex, settings.model, wanted_angle);
+  if (const int divided = divideEdges(mesh, least_angle); divided > 0) {
+    tell("edges of flat cells divided: " + std::to_string(divided));
+    flat = relocateVertices(mesh, arranged.complex, settings.model, wanted_angle);
+  }
   tell("vertices of flat cells moved; " + std::to_string(flat) + " cells below " +
        std::to_string(int(wanted_angle)) + " degrees remain");
   mesh::checkMesh(mesh, "The mesh that Gmsh made");

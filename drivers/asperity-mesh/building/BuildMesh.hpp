@@ -2,6 +2,7 @@
 
 #include "arrangement/Arranged.hpp"
 #include "building/BuildParameters.hpp"
+#include "meshing/CellSize.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 
@@ -12,7 +13,11 @@ namespace asperity::geometry
 {
 Arranged arrangeSurfaces(BuildSettings const& settings);
 
+// The size of cells in the body: at faults, and where curves come near to each other.
+CellSize sizeOfCells(Arranged const& arranged, BuildSettings const& settings);
+
 // The mesh before it is split along its faults, valid but for that. InputError as of fillVolume.
 GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
+                           CellSize const& size,
                            std::function<void(std::string const&)> const& tell);
 } // namespace asperity::geometry

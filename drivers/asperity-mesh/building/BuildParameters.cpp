@@ -5,6 +5,7 @@
 
 #include "base/Text.hpp"
 
+#include <filesystem>
 #include <limits>
 
 namespace asperity::geometry
@@ -90,7 +91,10 @@ Lists parametersWith(bool has_ground)
             "Selects the axes of the mesh: with z, x points to the east, y to the north and z up, "
             "as in all files and formulas here; with y, x to the east, y up and z to the south.")
     .real("Tolerance", optional, "m", Range::positive(),
-          "Refuses a mesh with a facet whose centre is farther from the given fault.");
+          "Refuses a mesh with a facet whose centre is farther from the given fault.")
+    .fileName("Deck", "",
+              "Names a deck of asperity that is to use the mesh, to report unknowns, memory and "
+              "cells in the cohesive zone before the mesh is made.");
   return declare.list();
 }
 
@@ -312,6 +316,9 @@ BuildSettings readBuildSettings(ParameterList& list, std::string const& folder)
   constexpr double usual_snap = 0.1; // of the smallest cells
   const double smallest = smallestSize(settings);
   settings.snap = list.isParameter("Snap") ? list.get<double>("Snap") : usual_snap * smallest;
+  if (auto const& deck = list.get<std::string>("Deck"); !deck.empty()) {
+    settings.deck = (std::filesystem::path(folder) / deck).string();
+  }
   if (list.isParameter("Tolerance")) {
     settings.tolerance = list.get<double>("Tolerance");
   }

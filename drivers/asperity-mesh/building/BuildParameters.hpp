@@ -21,6 +21,7 @@ struct BuildSettings
   double stub_share = 0;            // of the area of a fault
   double short_share = 0;           // of the size of cells
   bool is_y_up = false;             // the mesh gets x to the east, y up and z to the south
+  std::string deck;                 // of asperity that is to use the mesh; "" for none
   std::vector<std::string> remarks; // on faults that were divided
   std::optional<double> tolerance;  // [m], of the distance of facets from the given surface
 };

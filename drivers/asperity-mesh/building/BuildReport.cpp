@@ -162,6 +162,18 @@ void report(Arranged const& arranged, Model const& model, std::ostream& out)
       << std::endl;
 }
 
+std::string about(double value)
+{
+  const double unit = std::pow(10, std::floor(std::log10(std::max(value, 1e-12))) - 1);
+  return formatShort(std::round(value / unit) * unit);
+}
+
+void report(CellEstimate const& expected, std::ostream& out)
+{
+  out << "expected: about " << about(expected.cells) << " cells, " << about(expected.vertices)
+      << " vertices, good to a factor of " << estimate_factor << std::endl;
+}
+
 void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out)
 {
   for (int s = 0; s < model.num_faults; ++s) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "arrangement/Arranged.hpp"
+#include "meshing/CellEstimate.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 namespace asperity::geometry
@@ -38,6 +40,12 @@ std::vector<CellAngle> smallestAngles(GlobalMesh<3> const& mesh, std::size_t num
 // What the arrangement has: faults, what was left out and why, where faults meet, the smallest
 // angle and the shortest curve.
 void report(Arranged const& arranged, Model const& model, std::ostream& out);
+
+// An estimate: two digits, without an exponent below a million.
+std::string about(double value);
+
+// What the mesh is to have.
+void report(CellEstimate const& expected, std::ostream& out);
 
 // What the mesh has, before or after the split.
 void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace asperity::geometry
 {
@@ -155,6 +156,9 @@ void applyOptions(ShortOptions const& options, ParameterList& deck)
     if (!value.empty()) {
       assign(deck, path + "=" + withoutUnit(value));
     }
+  }
+  if (!options.deck.empty()) { // relative to where the program runs, as no file of the deck is
+    deck.set("Deck", std::filesystem::absolute(options.deck).string());
   }
   for (auto const& assignment : options.assignments) {
     applyOverride(deck, *buildParameters(), assignment);

@@ -13,7 +13,7 @@ struct ShortOptions
   std::vector<std::string> faults; // NAME=FILE[,KEY=VALUE]...
   std::string ground;              // FILE[,KEY=VALUE]...
   std::string units;               // of all files that name none
-  std::string size, largest, growth, margin, depth, snap, projection;
+  std::string size, largest, growth, margin, depth, snap, projection, deck;
   std::vector<std::string> assignments; // "Path/To/Parameter=value"
 };
 

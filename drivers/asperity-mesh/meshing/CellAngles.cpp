@@ -18,4 +18,12 @@ double smallestDihedral(std::array<Point<3>, 4> const& x)
   }
   return std::acos(std::min(largest_cosine, 1.)) * 180 / std::acos(-1.);
 }
+
+double orientedAngle(std::array<Point<3>, 4> const& x)
+{
+  const double volume =
+    mesh::dot<3>(mesh::cross(mesh::difference<3>(x[1], x[0]), mesh::difference<3>(x[2], x[0])),
+                 mesh::difference<3>(x[3], x[0]));
+  return volume > 0 ? smallestDihedral(x) : -1;
+}
 } // namespace asperity::geometry

@@ -37,22 +37,23 @@ GlobalMesh<3> meshInGmsh(std::map<std::string, std::vector<int>> const& surfaces
   std::vector<double> coordinates, ignored;
   model::mesh::getNodes(tags, coordinates, ignored, -1, -1, false, false);
   const auto cells = elements(3, -1, type_tetrahedron);
-  std::map<std::size_t, int> number;
+  constexpr int no_cell = -2, unnumbered = -1;
+  std::vector<int> number(tags.empty() ? 1 : *std::max_element(tags.begin(), tags.end()) + 1,
+                          no_cell);
   for (std::size_t tag : cells) {
-    number[tag] = -1;
+    number.at(tag) = unnumbered;
   }
   GlobalMesh<3> mesh;
+  mesh.cells.reserve(cells.size() / 4);
   for (std::size_t i = 0; i < tags.size(); ++i) {
-    const auto found = number.find(tags[i]);
-    if (found != number.end()) {
-      found->second = static_cast<int>(mesh.vertices.size());
+    if (number[tags[i]] == unnumbered) {
+      number[tags[i]] = static_cast<int>(mesh.vertices.size());
       mesh.vertices.push_back({coordinates[3 * i], coordinates[3 * i + 1], coordinates[3 * i + 2]});
     }
   }
   for (std::size_t i = 0; i < cells.size(); i += 4) {
     auto& cell = mesh.cells.emplace_back();
-    std::transform(&cells[i], &cells[i] + 4, cell.begin(),
-                   [&](auto tag) { return number.at(tag); });
+    std::transform(&cells[i], &cells[i] + 4, cell.begin(), [&](auto tag) { return number[tag]; });
   }
   mesh.region_names = {"body"};
   mesh.cell_regions.assign(mesh.cells.size(), 0);
@@ -63,12 +64,11 @@ GlobalMesh<3> meshInGmsh(std::map<std::string, std::vector<int>> const& surfaces
       for (std::size_t i = 0; i < corners.size(); i += 3) {
         auto& facet = facets.emplace_back();
         for (int k = 0; k < 3; ++k) {
-          const auto found = number.find(corners[i + k]);
-          ASPERITY_REQUIRE(found != number.end(), "Gmsh left a part of '"
-                                                    << name
-                                                    << "' out of the volume. Try another Cell "
-                                                       "Size, or a larger Snap.");
-          facet[k] = found->second;
+          facet[k] = number.at(corners[i + k]);
+          ASPERITY_REQUIRE(facet[k] >= 0, "Gmsh left a part of '"
+                                            << name
+                                            << "' out of the volume. Try another Cell "
+                                               "Size, or a larger Snap.");
         }
       }
     }

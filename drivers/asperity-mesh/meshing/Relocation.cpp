@@ -123,14 +123,9 @@ private:
     return cells;
   }
 
-  // Negative if the cell is turned inside out.
   double angleOf(int cell) const
   {
-    const auto x = mesh::corners<3>(mesh_.vertices, mesh_.cells[cell]);
-    const double volume =
-      mesh::dot<3>(mesh::cross(mesh::difference<3>(x[1], x[0]), mesh::difference<3>(x[2], x[0])),
-                   mesh::difference<3>(x[3], x[0]));
-    return volume > 0 ? smallestDihedral(x) : -1;
+    return orientedAngle(mesh::corners<3>(mesh_.vertices, mesh_.cells[cell]));
   }
 
   double smallestAround(int v) const

@@ -6,10 +6,12 @@
 #include "meshing/MeshInGmsh.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
 #include <gmsh.h>
 
+#include <chrono>
 #include <numeric>
 #include <set>
 
@@ -322,10 +324,53 @@ void setSize(SizeAt const& size)
   });
 #endif
 }
+
+// How far the volume is, from how often Gmsh has asked for a size there.
+class FillProgress
+{
+public:
+  FillProgress(double expected_cells, Tell const& tell)
+      : expected_(calls_per_cell * expected_cells)
+      , tell_(tell)
+  {
+  }
+
+  void count()
+  {
+    if (number_++ == 0) {
+      start_ = last_ = Clock::now();
+    }
+    if (number_ % calls_between_looks != 0) {
+      return;
+    }
+    const auto now = Clock::now();
+    if (now - last_ < interval) {
+      return;
+    }
+    last_ = now;
+    const double share = static_cast<double>(number_) / expected_;
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    tell_(share < 0.95
+            ? "the volume is filled to about " + formatted("%.0f", 100 * share) + " %, about " +
+                formatted("%.0f", seconds * (1 / share - 1)) + " s are left"
+            : "the volume is nearly filled");
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double calls_per_cell = 0.1; // measured
+  static constexpr long long calls_between_looks = 64;
+  static constexpr std::chrono::seconds interval{10};
+
+  double expected_;
+  Tell const& tell_;
+  long long number_ = 0;
+  Clock::time_point start_, last_;
+};
 } // namespace
 
 GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize const& size,
-                         Tell const& tell)
+                         double expected_cells, Tell const& tell)
 {
   const GmshSession session(false);
   gmsh::logger::start();
@@ -336,7 +381,11 @@ GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize co
   ASPERITY_REQUIRE(error.empty(),
                    "Gmsh cannot take the surfaces: " << error << '.' << complaints());
   const auto widths = discrete.widths();
+  FillProgress progress(expected_cells, tell);
   setSize([&](int dimension, int entity, Point<3> const& place) {
+    if (dimension == 3) {
+      progress.count();
+    }
     const auto width = widths.find({dimension, entity});
     const double at_place = size(place);
     return width == widths.end() ? at_place : std::min(at_place, width->second);

@@ -3,6 +3,7 @@
 #include "SampleSurfaces.hpp"
 
 #include "building/BuildReport.hpp"
+#include "meshing/CellEstimate.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 
@@ -57,13 +58,23 @@ inline void expectNames(GlobalMesh<3> const& mesh, Model const& model)
 }
 
 // No dihedral angle below 5 degrees, unless surfaces meet below 15.
-inline void expectAngles(GlobalMesh<3> const& mesh, Arranged const& arranged, Model const& model,
-                         double least = 5)
+inline void expectAngles(GlobalMesh<3> const& mesh, Arranged const& arranged, Model const& model)
 {
   const auto between = smallestAngle(arranged.complex, model);
   const auto smallest = smallestAngles(mesh, 1).front();
   if (between.degrees >= 15) {
-    EXPECT_GE(smallest.degrees, least) << "at " << placeText(smallest.place);
+    EXPECT_GE(smallest.degrees, 5) << "at " << placeText(smallest.place);
   }
+}
+
+// The number of cells that was expected before.
+inline void expectEstimate(GlobalMesh<3> const& mesh, Arranged const& arranged,
+                           BuildSettings const& given)
+{
+  const auto expected = expectedCells(arranged.complex, given.model, sizeOfCells(arranged, given));
+  const auto cells = double(mesh.cells.size()), vertices = double(mesh.vertices.size());
+  EXPECT_LT(std::max(expected.cells / cells, cells / expected.cells), estimate_factor) << cells;
+  EXPECT_LT(std::max(expected.vertices / vertices, vertices / expected.vertices), estimate_factor)
+    << vertices;
 }
 } // namespace asperity::geometry

@@ -27,9 +27,10 @@ TEST(Built, PlaneUnderSinusoidalGround)
   const Box box = {{-32 * km, -26 * km, -30 * km}, {32 * km, 38 * km, 0}};
   const auto given = settings({thrust}, box, 2 * km, 8 * km, ground);
   const auto arranged = arrangeSurfaces(given);
-  const auto mesh = meshArranged(arranged, given, quiet());
+  const auto mesh = meshOf(arranged, given);
   expectNames(mesh, given.model);
   expectAngles(mesh, arranged, given.model);
+  expectEstimate(mesh, arranged, given);
   const double exact = areaIn(arranged.complex, 0);
   EXPECT_NEAR(areaOf(mesh, "thrust"), exact, 1e-3 * exact);
   for (auto const& facet : mesh.boundaries.at("thrust")) {
@@ -46,9 +47,10 @@ TEST(Built, JointIsSplit)
 {
   const auto given = settings({mainFault(), splayFault(300)}, wideBox(), 2 * km, 8 * km);
   const auto arranged = arrangeSurfaces(given);
-  auto mesh = meshArranged(arranged, given, quiet());
+  auto mesh = meshOf(arranged, given);
   expectNames(mesh, given.model);
   expectAngles(mesh, arranged, given.model);
+  expectEstimate(mesh, arranged, given);
   EXPECT_NEAR(areaOf(mesh, "main"), 450 * km * km, 1e-3 * 450 * km * km);
   const double splay = 12 * km * 8 * km / std::sqrt(0.75);
   EXPECT_NEAR(areaOf(mesh, "splay"), splay, 1e-3 * splay);
@@ -67,9 +69,10 @@ TEST(Built, CrossingFaults)
   const auto given =
     settings({mainFault(), crossingFault(), splayFault(-40)}, wideBox(), 2 * km, 8 * km);
   const auto arranged = arrangeSurfaces(given);
-  auto mesh = meshArranged(arranged, given, quiet());
+  auto mesh = meshOf(arranged, given);
   expectNames(mesh, given.model);
   expectAngles(mesh, arranged, given.model);
+  expectEstimate(mesh, arranged, given);
   EXPECT_NEAR(areaOf(mesh, "main"), 450 * km * km, 1e-3 * 450 * km * km);
   EXPECT_NEAR(areaOf(mesh, "cross"), 240 * km * km, 1e-3 * 240 * km * km);
   EXPECT_NEAR(volumeOf(mesh), 70. * 54 * 30 * km * km * km, 1e-6 * km * km * km * km);
@@ -83,9 +86,10 @@ TEST(Built, FaultThatDividesTheBox)
   const Box box = {{-20 * km, -15 * km, -20 * km}, {20 * km, 15 * km, 0}};
   const auto given = settings({wall}, box, 3 * km, 6 * km);
   const auto arranged = arrangeSurfaces(given);
-  auto mesh = meshArranged(arranged, given, quiet());
+  auto mesh = meshOf(arranged, given);
   expectNames(mesh, given.model);
   expectAngles(mesh, arranged, given.model);
+  expectEstimate(mesh, arranged, given);
   const double area = 40 * km * 20 * km * std::hypot(1, 3. / 40);
   EXPECT_NEAR(areaOf(mesh, "divide"), area, 1e-6 * area);
   EXPECT_NEAR(volumeOf(mesh), 40. * 30 * 20 * km * km * km, 1e-6 * km * km * km * km);
@@ -109,9 +113,10 @@ TEST(Built, CurvedFaultIsNearTheGivenSurface)
   const Box box = {{-20 * km, -15 * km, -20 * km}, {20 * km, 15 * km, 0}};
   const auto given = settings({arc}, box, h, 6 * km);
   const auto arranged = arrangeSurfaces(given);
-  const auto mesh = meshArranged(arranged, given, quiet());
+  const auto mesh = meshOf(arranged, given);
   expectNames(mesh, given.model);
   expectAngles(mesh, arranged, given.model);
+  expectEstimate(mesh, arranged, given);
   const auto off =
     largestDistance(mesh.vertices, mesh.boundaries.at("arc"), given.model.surfaces[0].surface);
   EXPECT_LT(off.distance, (1.5 * h) * (1.5 * h) / radius / 8);
@@ -124,7 +129,7 @@ TEST(Built, CurvedFaultIsNearTheGivenSurface)
 TEST(Built, SizesFollowTheFault)
 {
   const auto given = settings({mainFault()}, wideBox(), 2 * km, 8 * km);
-  const auto mesh = meshArranged(arrangeSurfaces(given), given, quiet());
+  const auto mesh = meshOf(arrangeSurfaces(given), given);
   const TriangleTree tree(given.model.surfaces[0].surface.points,
                           given.model.surfaces[0].surface.triangles);
   double near = 0, far = 0;
@@ -158,7 +163,7 @@ TEST(Refused, ClosedSurface)
   const auto given = settings({{"closed", box}}, wideBox(), 2 * km, 8 * km);
   const auto arranged = arrangeSurfaces(given);
   try {
-    meshArranged(arranged, given, quiet());
+    meshOf(arranged, given);
     FAIL();
   } catch (asperity::InputError const& error) {
     EXPECT_NE(std::string(error.what()).find("'closed' is closed at"), std::string::npos)

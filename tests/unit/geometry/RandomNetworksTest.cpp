@@ -68,11 +68,10 @@ TEST_P(Networks, AreMeshed)
   const Box box = {{-45 * km, -45 * km, -40 * km}, {45 * km, 45 * km, 0}};
   const auto given = settings(faults, box, 1.5 * km, 8 * km, hills());
   const auto arranged = arrangeSurfaces(given);
-  const auto mesh = meshArranged(arranged, given, quiet());
+  const auto mesh = meshOf(arranged, given);
   expectNames(mesh, given.model);
-  // Chosen after the results were known: single cells of seeds 7 and 13, with all vertices on one
-  // fault, have 3.4 and 3.1 degrees.
-  expectAngles(mesh, arranged, given.model, 3);
+  expectAngles(mesh, arranged, given.model);
+  expectEstimate(mesh, arranged, given);
   for (int s = 0; s < 6; ++s) {
     const double area = areaIn(arranged.complex, s);
     EXPECT_NEAR(areaOf(mesh, given.model.name(s)), area, 1e-3 * area) << given.model.name(s);

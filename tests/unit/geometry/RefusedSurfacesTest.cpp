@@ -129,8 +129,8 @@ TEST(Refused, ThreeSheetsAtAnEdge)
   expectWords(refusal([&] { checkedSurface(surface, "F"); }), {"3 triangles meet", "(1, 0, 0) km"});
 }
 
-// At x = 0 the parts x < 0 and x > 0 go on as one sheet, though the branch starts the list and bends
-// less than 90 degrees; farther on, at x = 2 km, another one leaves to the other side.
+// At x = 0 the parts x < 0 and x > 0 go on as one sheet, though the branch stands first in the
+// list; at x = 2 km another branch leaves to the other side.
 TEST(Sheets, GoOnWhereTheyBendLeast)
 {
   TriangleSurface tree;

@@ -105,8 +105,8 @@ inline NamedSurface splayFault(double beyond)
 
 inline Box wideBox() { return {{-35 * km, -27 * km, -30 * km}, {35 * km, 27 * km, 0}}; }
 
-inline std::function<void(std::string const&)> quiet()
+inline GlobalMesh<3> meshOf(Arranged const& arranged, BuildSettings const& given)
 {
-  return [](std::string const&) {};
+  return meshArranged(arranged, given, sizeOfCells(arranged, given), [](std::string const&) {});
 }
 } // namespace asperity::geometry

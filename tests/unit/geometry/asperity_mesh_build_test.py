@@ -130,6 +130,46 @@ class Build(unittest.TestCase):
         result = run(MAIN, "run.xml", "--validate")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("run.xml is valid.", result.stdout)
+        self.compare_with_forecast(result.stdout)
+
+    def compare_with_forecast(self, validated):
+        """What --deck says before the mesh is made with what the main program says of it."""
+        result = run(MESH, "build", "model.xml", "--dry", "--deck", "run.xml")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        # G L / (b sigma_n) = 32e9 * 3 / (0.03 * 25e6); the deck's constants are everywhere the same
+        zone = "cohesive zone G' L / (b sigma_n) >= 128000 m"
+        self.assertIn(zone, result.stdout)
+        self.assertIn(zone, validated)
+        nucleation = r"Nucleation length >= [0-9.e+]+ m"
+        self.assertEqual(re.search(nucleation, result.stdout)[0],
+                         re.search(nucleation, validated)[0])
+        expected = float(re.search(r"about (\S+) unknowns", result.stdout)[1])
+        unknowns = float(re.search(r"(\d+) unknowns", validated)[1])
+        self.assertLess(max(expected / unknowns, unknowns / expected), 1.5)
+        text = pathlib.Path("run.xml").read_text(encoding="utf-8")
+        pathlib.Path("wrong.xml").write_text(text.replace('"surface"', '"surfaces"'),
+                                             encoding="utf-8")
+        result = run(MESH, "build", "model.xml", "--dry", "--deck", "wrong.xml")
+        self.assertEqual(result.returncode, 2)
+        for word in ("'surfaces'", "Did you mean 'surface'?"):
+            self.assertIn(word, result.stderr)
+
+    def test_parts(self):
+        arguments = ["--fault", "main=main.off", "--units", "km", *OPTIONS]
+        self.assert_refused(["out.h5", *arguments, "--boundary", "main"], "--parts is missing")
+        self.assert_refused(["out.h5", *arguments, "--parts", "0"], "--parts = 0")
+        result = run(MESH, "build", "parts.h5", *arguments, "--parts", "2", "--boundary", "main")
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        self.assertRegex(result.stdout, r"parts.h5: 2 parts of \d+ vertices, \d+ cells")
+        self.assertIn("those of boundary main", result.stdout)
+        whole = run(MESH, "build", "whole.h5", *arguments)
+        self.assertEqual(whole.returncode, 0)
+        divided = run(MESH, "partition", "whole.h5", "--parts", "2", "--boundary", "main",
+                      "--output", "divided.h5")
+        self.assertEqual(divided.stdout.replace("divided.h5", "parts.h5"),
+                         "\n".join(result.stdout.splitlines()[-2:]) + "\n")
+        self.assertEqual(run(MESH, "info", "parts.h5").stdout,
+                         run(MESH, "info", "divided.h5").stdout)
 
     def test_options_say_the_same(self):
         pathlib.Path("model.xml").write_text(DECK, encoding="utf-8")
@@ -181,10 +221,11 @@ class Build(unittest.TestCase):
         pathlib.Path("dem.asc").write_text(heights + "\n", encoding="utf-8")
         projection = "+proj=tmerc +lat_0=45 +lon_0=10 +datum=WGS84"
         words = ["--dry", "--fault", "t=trace.txt,dip=90,depth=10km,units=degrees,depth-units=km",
-                 *OPTIONS[:4], "--margin", "20km", "--depth", "30km"]
-        short = run(MESH, "build", *words, "--ground", "dem.asc,units=km,depth-units=km", "--growth",
-                    "0.5", "--snap", "20m", "--projection", projection)
-        long = run(MESH, "build", *words, "--ground", "dem.asc,units=km,depth-units=km",
+                 "--ground", "dem.asc,units=km,depth-units=km", *OPTIONS[:4], "--margin", "20km",
+                 "--depth", "30km"]
+        short = run(MESH, "build", *words, "--growth", "0.5", "--snap", "20m", "--projection",
+                    projection)
+        long = run(MESH, "build", *words,
                    *(word for entry in ("Growth=0.5", "Snap=20", f"Projection={projection}")
                      for word in ("--set", entry)))
         self.assertEqual((short.returncode, short.stderr), (0, ""), short.stdout)

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "arrangement/Box.hpp"
+#include "meshing/CellSize.hpp"
+
+namespace asperity::geometry
+{
+// Points of surfaces, a few cells apart.
+struct Samples
+{
+  std::vector<Point<3>> places;
+  std::vector<double> areas; // that each stands for [m^2]
+};
+void addSamples(Samples& samples, Complex const& complex, Triangle const& triangle,
+                CellSize const& size);
+
+// Of a mesh before it is made.
+struct CellEstimate
+{
+  double cells = 0, vertices = 0;
+  double fault_facets = 0;
+};
+
+// From the integral of 1 / size^3 over the body, under a flat ground of its mean height, and of
+// 1 / size^2 over the faults; good to a factor of `estimate_factor` (docs/first_model/your_fault.md
+// has measured ones).
+CellEstimate expectedCells(Complex const& complex, Model const& model, CellSize const& size);
+constexpr double estimate_factor = 1.5;
+} // namespace asperity::geometry
