@@ -43,7 +43,7 @@ bool addNodeSet(ForeignMesh& mesh, std::string const& name, std::vector<int> con
   }
   const auto num_inside = static_cast<std::size_t>(std::count_if(
     found.begin(), found.end(), [](auto const& item) { return item.second.num_cells == 2; }));
-  if (found.empty() || 4 * whole_cells > found.size()) {
+  if (found.empty() || 8 * whole_cells > found.size()) {
     return false;
   }
   const bool is_inside = 2 * num_inside > found.size();

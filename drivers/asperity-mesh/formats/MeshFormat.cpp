@@ -35,7 +35,8 @@ FoundFormat formatOf(std::string const& file_name)
   }
   ASPERITY_REQUIRE(found.format != nullptr,
                    "'" << file_name << "' is in no format that can be converted, by its name. "
-                       << "Names end with one of " << known << ".");
+                       << "Names end with one of " << known << ". The program meshio (Debian: "
+                       << "meshio-tools) makes such files of others: meshio convert IN OUT.vtu.");
   return found;
 }
 
