@@ -10,10 +10,10 @@ import time_limits
 MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")  # there only where Gmsh is
 
 
-def mesh_tool(*arguments):
+def mesh_tool(*arguments, timeout=60):
     """Runs asperity-mesh, which must succeed."""
     subprocess.run([MESH_TOOL, *map(str, arguments)], check=True, capture_output=True,
-                   timeout=time_limits.seconds(60))
+                   timeout=time_limits.seconds(timeout))
 
 
 def write(name, vertices, cells, boundaries, region_of_cells=None, regions=(b"body",),
