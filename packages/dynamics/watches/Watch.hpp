@@ -61,8 +61,8 @@ struct Notes
 class Watch
 {
 public:
-  // The entries that a kind of watch adds to the deck's list `Time Stepping`: none, unless its class
-  // has a function of the same name.
+  // The entries that a kind of watch adds to the deck's list `Time Stepping`: none, unless its
+  // class has a function of the same name.
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
 
   virtual ~Watch() = default;
