@@ -143,6 +143,18 @@ std::optional<dynamics::FaultResolution> resolutionOf(ParameterList const& deck,
   return result;
 }
 
+// `where` begins messages, since the deck of the mesh has lists of the same names.
+RCP<ParameterList> readDeckOf(std::string const& name, std::string const& where)
+{
+  CommandLine command_line;
+  command_line.deck = name;
+  try {
+    return scenario::readCompleteDeck(command_line);
+  } catch (InputError const& error) {
+    throw InputError(where + error.what());
+  }
+}
+
 void reportSize(ParameterList const& deck, CellEstimate const& cells, std::ostream& out)
 {
   const double refined = std::pow(8, deck.sublist("Mesh").get<int>("Refinements"));
@@ -164,10 +176,8 @@ void reportSize(ParameterList const& deck, CellEstimate const& cells, std::ostre
 void reportDeck(std::string const& deck_name, Complex const& complex, BuildSettings const& settings,
                 CellSize const& size, CellEstimate const& cells, std::ostream& out)
 {
-  CommandLine command_line;
-  command_line.deck = deck_name;
-  const auto deck = scenario::readCompleteDeck(command_line);
   const auto of = "deck '" + deck_name + "': ";
+  const auto deck = readDeckOf(deck_name, of);
   ASPERITY_REQUIRE(scenario::displacementComponents(deck->sublist("Bulk")) == components,
                    of << "its model has one or two components of displacement, and a mesh in space "
                          "needs Bulk / Model = Solid.");

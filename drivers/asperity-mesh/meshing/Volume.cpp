@@ -335,20 +335,22 @@ public:
   {
   }
 
+  // The first calls do not count: Gmsh prepares for long between them.
   void count()
   {
-    if (number_++ == 0) {
-      start_ = last_ = Clock::now();
-    }
-    if (number_ % calls_between_looks != 0) {
+    if (++number_ % calls_between_looks != 0) {
       return;
     }
     const auto now = Clock::now();
+    if (number_ == calls_between_looks) {
+      start_ = last_ = now;
+    }
     if (now - last_ < interval) {
       return;
     }
     last_ = now;
-    const double share = static_cast<double>(number_) / expected_;
+    const auto done = static_cast<double>(number_ - calls_between_looks);
+    const double share = done / expected_;
     const double seconds = std::chrono::duration<double>(now - start_).count();
     tell_(share < 0.95
             ? "the volume is filled to about " + formatted("%.0f", 100 * share) + " %, about " +

@@ -8,16 +8,17 @@
 
 using namespace asperity::geometry;
 using asperity::ParameterList;
-using Numbers = Teuchos::Array<double>;
 
 namespace
 {
+Teuchos::Array<double> numbers(std::vector<double> const& values) { return values; }
+
 // An upright rectangle below (1100, 2200) m of the projection, 4 km long from south to north.
 ParameterList planeDeck()
 {
   ParameterList list("Asperity");
   auto& fault = list.sublist("Faults").sublist("plane");
-  fault.set("Top Centre", Numbers{1100., 2200., -1000.});
+  fault.set("Top Centre", numbers({1100, 2200, -1000}));
   fault.set("Strike", 0.);
   fault.set("Dip", 90.);
   fault.set("Length", 4000.);
@@ -54,7 +55,7 @@ TEST(BuildParameters, Defaults)
 TEST(BuildParameters, EveryEntryIsRead)
 {
   auto list = planeDeck();
-  list.set("Origin", Numbers{1000., 2000.});
+  list.set("Origin", numbers({1000, 2000}));
   list.set("Growth", 0.7);
   list.set("Snap", 12.);
   list.set("Trim Stubs", 0.2);

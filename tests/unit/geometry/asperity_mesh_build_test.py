@@ -153,6 +153,11 @@ class Build(unittest.TestCase):
         self.assertEqual(result.returncode, 2)
         for word in ("'surfaces'", "Did you mean 'surface'?"):
             self.assertIn(word, result.stderr)
+        pathlib.Path("wrong.xml").write_text(text.replace("Final Time", "Last Time"),
+                                             encoding="utf-8")
+        result = run(MESH, "build", "model.xml", "--dry", "--deck", "wrong.xml")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("wrong.xml': Asperity / Time Stepping", result.stderr)
 
     def test_parts(self):
         arguments = ["--fault", "main=main.off", "--units", "km", *OPTIONS]
