@@ -12,8 +12,9 @@
 class GmshFile
 {
 public:
-  // `where` names the file in messages. A mesh that Gmsh has partitioned is put together. InputError, which starts with `where`, if there is no such file,
-  // Gmsh cannot read it, its groups are wrong (GmshGroups.hpp), or it lacks parts.
+  // `where` names the file in messages. A mesh that Gmsh has partitioned is put together.
+  // InputError, which starts with `where`, if there is no such file, Gmsh cannot read it, its
+  // groups are wrong (GmshGroups.hpp), or it lacks parts.
   GmshFile(std::string const& file_name, std::string where, GroupNames const& names = {});
 
   // 3 if there are cells with a volume, or else 2.

@@ -19,7 +19,8 @@ bool isGeometry(std::string const& file_name);
 // nearest name), a value is no number, a name is given twice, the file cannot be read, it or a
 // script that it includes runs programs (SystemCall) or has statements that Gmsh passes over, its
 // physical groups are wrong (GmshGroups.hpp) or it asks for cells that are no linear simplices,
-// unless others are `allowed`; after that, if Gmsh cannot mesh it. OutputError if the target cannot be written.
+// unless others are `allowed`; after that, if Gmsh cannot mesh it. OutputError if the target
+// cannot be written.
 std::string meshGeometry(std::string const& file_name, std::vector<std::string> const& settings,
                          GroupNames const& names, bool allowed,
                          std::function<std::string()> const& target);

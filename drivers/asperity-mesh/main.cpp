@@ -19,9 +19,8 @@ struct Command
 const std::vector<Command> commands = {
   {"build", "[MODEL.xml] OUT.h5", "Makes a mesh from surfaces of faults and ground.", build},
   {"convert", "IN OUT.h5",
-   "Converts a mesh of Gmsh (.msh), SeisSol (.puml.h5), Exodus (.exo), Abaqus (.inp) or VTK (.vtk,\n"
-   "    .vtu), or meshes a .geo file, which is executed: trust it first. Groups become regions,\n"
-   "    boundaries and, where they lie inside, faults.",
+   "Converts a mesh of Gmsh, SeisSol, Exodus, Abaqus or VTK, or meshes a .geo file, which is\n"
+   "    executed: trust it first. Groups become regions, boundaries and, where inside, faults.",
    convert},
   {"wedge", "OUT.h5", "Makes the subduction wedge of Pipping 2014, A.1, by bisection.", makeWedge},
   {"rectangle", "OUT.h5", "Makes a rectangle of right triangles, graded by bisection.",

@@ -36,7 +36,9 @@ FoundFormat formatOf(std::string const& file_name)
   ASPERITY_REQUIRE(found.format != nullptr,
                    "'" << file_name << "' is in no format that can be converted, by its name. "
                        << "Names end with one of " << known << ". The program meshio (Debian: "
-                       << "meshio-tools) makes such files of others: meshio convert IN OUT.vtu.");
+                       << "meshio-tools) makes such files of others: meshio convert IN OUT.vtu. "
+                          "Surfaces of faults and "
+                       << "ground are for asperity-mesh build.");
   return found;
 }
 

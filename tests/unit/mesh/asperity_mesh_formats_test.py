@@ -204,7 +204,8 @@ class Abaqus(Case):
         self.assert_brick(self.convert("brick.inp", "--simplices"))
         text = text.replace("*Nset, nset=left", "*Nset, nset=_left, internal")
         pathlib.Path("brick.inp").write_text(
-            text.replace("nset=_left", "nset=left_") + "*Surface, type=NODE, name=left\nleft_, 1.\n")
+            text.replace("nset=_left", "nset=left_") +
+            "*Surface, type=NODE, name=left\nleft_, 1.\n")
         found = self.convert("brick.inp", "--simplices", "--without", "left_")
         self.assert_brick(found)
 

@@ -135,7 +135,8 @@ class Convert(mesh_tool.Case):
             file.write("no mesh")
         self.assert_refused(["convert", "text.puml.h5", "bad.h5"], "'text.puml.h5'",
                             "cannot be read")
-        self.assert_refused(["convert", "mesh.txt", "bad.h5"], "'mesh.txt'", ".geo, .inp, .msh, .puml.h5")
+        self.assert_refused(["convert", "mesh.txt", "bad.h5"], "'mesh.txt'",
+                            ".geo, .inp, .msh, .puml.h5")
 
 
 class Published(mesh_tool.Case):

@@ -1,7 +1,8 @@
 """Writes small meshes in the formats of other programs, for the tests of asperity-mesh.
 
 A mesh is a dictionary: points (n, 3); blocks {name: (kind, cells from 0)}, of kind "tetra",
-"hexahedron", "wedge", "pyramid", "triangle", "quad" or "line"; sides {name: [(cell from 0, side from 1)]}, with
+"hexahedron", "wedge", "pyramid", "triangle", "quad" or "line"; sides {name: [(cell from
+0, side from 1)]}, with
 the numbers of sides of the format; nodes {name: [node from 0]}.
 
     python3 other_formats.py FOLDER     writes two tetrahedra and their fault in each format
@@ -124,7 +125,8 @@ def abaqus(mesh, numbers=None, sections=False):
             element += 1
             nodes = [str(numbers[node]) for node in cell]
             half = len(nodes) // 2
-            lines += [f"{element}, " + ", ".join(nodes[:half]) + ",", "  " + ", ".join(nodes[half:])]
+            lines += [f"{element}, " + ", ".join(nodes[:half]) + ",",
+                      "  " + ", ".join(nodes[half:])]
         if sections:
             lines += [f"*Elset, elset={name}, generate", f"{first}, {element}, 1",
                       f'*Solid Section, elset="{name.upper()}", material=any', ","]
@@ -214,7 +216,8 @@ def vtu(mesh, form="ascii", header="UInt32", compressed=False, order="LittleEndi
 
     text = ('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" '
             f'byte_order="{order}" header_type="{header}"'
-            + (' compressor="vtkZLibDataCompressor"' if compressed else "") + ">\n<UnstructuredGrid>"
+            + (' compressor="vtkZLibDataCompressor"' if compressed else "")
+            + ">\n<UnstructuredGrid>"
             f'<Piece NumberOfPoints="{len(mesh["points"])}" NumberOfCells="{len(cells)}">\n'
             + "<PointData>\n" + array("u", numpy.zeros(len(mesh["points"])), "Float64")
             + "</PointData>\n<CellData>\n"
