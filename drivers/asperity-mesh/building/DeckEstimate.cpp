@@ -19,7 +19,7 @@
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
-#include "tnnmg/multigrid/MultigridCorrection.hpp"
+#include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <cmath>
 #include <limits>
