@@ -299,19 +299,19 @@ private:
     }
   }
 
-  int positionOf(std::int64_t node, std::string const& of) const
+  int positionOf(std::int64_t node, std::string const& user) const
   {
     const auto found = position_.find(node);
-    ASPERITY_REQUIRE(found != position_.end(), file_.where() << ": " << of << " has node " << node
+    ASPERITY_REQUIRE(found != position_.end(), file_.where() << ": " << user << " has node " << node
                                                              << ", which is not there.");
     return found->second;
   }
 
-  std::vector<int> positions(std::vector<std::int64_t> const& nodes, std::string const& of) const
+  std::vector<int> positions(std::vector<std::int64_t> const& nodes, std::string const& user) const
   {
     std::vector<int> result;
     for (auto node : nodes) {
-      result.push_back(positionOf(node, of));
+      result.push_back(positionOf(node, user));
     }
     return result;
   }
