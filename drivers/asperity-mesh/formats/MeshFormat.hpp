@@ -37,9 +37,9 @@ public:
   // Whether a file with this ending is a geometry, which takes settings.
   virtual bool isGeometry(std::string const& /*ending*/) const { return false; }
 
-  // A mesh in m that mesh::checkMesh accepts (assemble). It may have boundaries inside
-  // the body, which are faults then. Remarks and warnings are printed. InputError, which names the file, if it cannot
-  // be read or is wrong.
+  // A mesh in m that mesh::checkMesh accepts (assemble). It may have boundaries inside the body,
+  // which are faults then. Remarks and warnings are printed. InputError, which names the file, if
+  // it cannot be read or is wrong.
   virtual AnyMesh read(std::string const& file_name, ReadOptions const& options) const = 0;
 };
 using MeshFormatRegistry = asperity::Registry<MeshFormat>;
