@@ -271,6 +271,10 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
   }
   if (domains.count("fault") > 0) {
     carryFault(other, state, other_domains.at("fault"), problem, domains.at("fault"), run, archive);
+  } else { // the state has these fields, without values
+    State::visitFault(
+      [&](FieldInfo const& info, NodeView const&) { archive.set("state/" + info.name, Values()); },
+      problem.model.initial);
   }
   return archive;
 }

@@ -145,6 +145,18 @@ class Refused(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("Restarted from", result.stdout)
 
+    def test_a_run_from_another_one_without_a_fault(self):
+        """Under a constant traction the block goes on in equilibrium."""
+        first = asperity_run.run_to_end("first", DECK)
+        second = asperity_run.run_to_end(
+            "second", DECK, "--restart-from", first,
+            *asperity_run.settings({"Time Stepping/Final Time": 2}))
+        before, after = (asperity_run.series(folder / "volume.h5") for folder in (first, second))
+        self.assertEqual((before["time"][-1], after["time"][-1]), (1, 2))
+        last = before["fields/displacement"][-1]
+        self.assertLess(numpy.abs(after["fields/displacement"][-1] - last).max(),
+                        ROUNDING * numpy.abs(last).max())
+
 
 if __name__ == "__main__":
     unittest.main()
