@@ -178,7 +178,7 @@ void reportDeck(std::string const& deck_name, Complex const& complex, BuildSetti
 {
   const auto of = "deck '" + deck_name + "': ";
   const auto deck = readDeckOf(deck_name, of);
-  ASPERITY_REQUIRE(scenario::displacementComponents(deck->sublist("Bulk")) == components,
+  ASPERITY_REQUIRE(scenario::BulkSettings::from(deck->sublist("Bulk")).components == components,
                    of << "its model has one or two components of displacement, and a mesh in space "
                          "needs Bulk / Model = Solid.");
   const auto conditions = scenario::readConditions(deck->sublist("Boundary Conditions"));
