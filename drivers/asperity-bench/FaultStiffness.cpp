@@ -83,7 +83,7 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
     dofs.push_back(surface[node].dofs[0]);
   }
   const tnnmg::SchurComplement equilibrium(
-    *fem::combine(problem.model.body.matrices, fem::ofElasticity(problem.model.body.matrices),
+    *fem::combine(problem.model.body.matrices, fem::elasticityWeights(problem.model.body.matrices),
                   problem.model.body.held),
     dofs);
 

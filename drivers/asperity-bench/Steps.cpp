@@ -112,7 +112,7 @@ Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> co
 std::string tableOf(Cost const& cost)
 {
   const auto each = static_cast<double>(cost.count.coupled_steps);
-  const auto of = [&](std::int64_t number) { return static_cast<double>(number) / each; };
+  const auto perStep = [&](std::int64_t number) { return static_cast<double>(number) / each; };
   std::ostringstream out;
   out << "\n"
       << std::setprecision(12) << cost.num_unknowns << std::setprecision(3) << " unknowns, "
@@ -128,10 +128,11 @@ std::string tableOf(Cost const& cost)
          "| tau [s] | accepted | coupled | rate problems | TNNMG | V-cycles | time | set-up, all | "
          "rises |\n|---|---|---|---|---|---|---|---|---|\n| "
       << cost.smallest << " to " << cost.largest << " | " << cost.num_steps << " | "
-      << cost.count.coupled_steps << " | " << of(cost.count.rate_problems) << " | "
-      << of(cost.count.tnnmg_iterations) << " | " << of(cost.count.v_cycles) << " | "
+      << cost.count.coupled_steps << " | " << perStep(cost.count.rate_problems) << " | "
+      << perStep(cost.count.tnnmg_iterations) << " | " << perStep(cost.count.v_cycles) << " | "
       << cost.seconds / each / cost.product_seconds << " | "
-      << cost.setup_seconds / cost.product_seconds << " | " << cost.count.rises << " |\n\n";
+      << cost.setup_seconds / cost.product_seconds << " | " << cost.count.energy_increases
+      << " |\n\n";
   return out.str();
 }
 

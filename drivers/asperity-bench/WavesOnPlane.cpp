@@ -28,7 +28,7 @@ struct Plane
   double extent; // from the middle to the nearest end [m]
 
   // Coordinates of a place in the plane, along the tangents of the middle [m].
-  std::array<double, 2> of(std::array<double, 3> const& place) const
+  std::array<double, 2> coordinatesOf(std::array<double, 3> const& place) const
   {
     const auto from = mesh::difference<3>(place, middle.place);
     return {mesh::dot<3>(from, middle.tangents[0]), mesh::dot<3>(from, middle.tangents[1])};
@@ -41,7 +41,7 @@ double cellAt(fem::FaultSurface const& surface, Plane const& plane)
 {
   double sum = 0, share = 0;
   for (auto const& node : surface) {
-    auto const x = plane.of(node.place);
+    auto const x = plane.coordinatesOf(node.place);
     const double near =
       std::exp(-4.5 * (x[0] * x[0] + x[1] * x[1]) / (plane.extent * plane.extent));
     sum += near * node.weight;
@@ -69,7 +69,7 @@ Plane planeOf(fem::FaultSurface const& surface)
   std::array<double, 2> low{}, high{};
   double off_plane = 0;
   for (auto const& node : surface) {
-    auto const at = plane.of(node.place);
+    auto const at = plane.coordinatesOf(node.place);
     for (int t = 0; t < 2; ++t) {
       low[t] = std::min(low[t], at[t]);
       high[t] = std::max(high[t], at[t]);
@@ -138,7 +138,7 @@ public:
       , given_(givenDofs(problem))
   {
     auto const& matrices = problem.model.body.matrices;
-    auto const elasticity = fem::ofElasticity(matrices);
+    auto const elasticity = fem::elasticityWeights(matrices);
     const auto drop = tnnmg::detail::StoredZeros::drop;
     K_ = tnnmg::detail::toEigen(*fem::combine(matrices, elasticity), drop);
     A_ = tnnmg::detail::toEigen(*fem::combine(matrices, elasticity, given_), drop);
@@ -151,7 +151,7 @@ public:
   {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(K_.rows());
     for (auto const& node : surface_) {
-      const double slip = wave(plane.of(node.place));
+      const double slip = wave(plane.coordinatesOf(node.place));
       for (std::size_t t = 0; t < node.dofs.size(); ++t) {
         u[node.dofs[t]] = slip * mesh::dot<3>(node.tangents[t], plane.middle.tangents[wave.slip]);
       }

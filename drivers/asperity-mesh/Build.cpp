@@ -106,18 +106,18 @@ asperity::GlobalMesh<3> splitMesh(asperity::GlobalMesh<3> const& mesh,
 void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
                Partitioning const& partitioning)
 {
-  const Progress tell;
+  const Progress reportProgress;
   int triangles = 0;
   for (auto const& surface : settings.model.surfaces) {
     triangles += static_cast<int>(surface.surface.triangles.size());
   }
-  tell("read " + std::to_string(settings.model.num_faults) + " faults; " +
-       std::to_string(triangles) + " triangles with ground and walls");
+  reportProgress("read " + std::to_string(settings.model.num_faults) + " faults; " +
+                 std::to_string(triangles) + " triangles with ground and walls");
   for (auto const& remark : settings.remarks) {
     std::cout << remark << '\n';
   }
   const auto arranged = asperity::geometry::arrangeSurfaces(settings);
-  tell("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
+  reportProgress("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
   report(arranged, settings.model, std::cout);
   const auto size = sizeOfCells(arranged, settings);
   const auto expected = asperity::geometry::expectedCells(arranged.complex, settings.model, size);
@@ -128,7 +128,7 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
   if (is_dry) {
     return;
   }
-  auto mesh = asperity::geometry::meshArranged(arranged, settings, size, tell);
+  auto mesh = asperity::geometry::meshArranged(arranged, settings, size, reportProgress);
   report(mesh, settings.model, std::cout);
   if (const auto touching = asperity::mesh::touchingFacets(mesh)) {
     warn("'" + files.mesh + "': " + asperity::mesh::sentence(*touching));

@@ -236,11 +236,12 @@ std::set<int> namedDimensions(std::string const& file_name)
 void requireGroupsOfNames(std::string const& file_name, int dimension, std::string const& where)
 {
   const auto named = namedDimensions(file_name);
-  for (int of : {dimension, dimension - 1}) {
+  for (int group_dimension : {dimension, dimension - 1}) {
     gmsh::vectorpair groups;
-    model::getPhysicalGroups(groups, of);
-    ASPERITY_REQUIRE(!groups.empty() || named.count(of) == 0,
-                     where << " has names of physical " << entityName(of) << "s, but nothing in "
+    model::getPhysicalGroups(groups, group_dimension);
+    ASPERITY_REQUIRE(!groups.empty() || named.count(group_dimension) == 0,
+                     where << " has names of physical " << entityName(group_dimension)
+                           << "s, but nothing in "
                            << "the mesh belongs to one. Gmsh loses the groups with Mesh.SaveAll = "
                               "1 in format 2.2: save the mesh with Mesh.SaveAll = 0, or with "
                               "Mesh.MshFileVersion = 4.1.");
@@ -248,7 +249,7 @@ void requireGroupsOfNames(std::string const& file_name, int dimension, std::stri
 }
 
 // Prints Gmsh's warnings, without the start of its own.
-void passWarningsOn(std::string const& where)
+void forwardWarnings(std::string const& where)
 {
   std::vector<std::string> lines;
   gmsh::logger::get(lines);
@@ -268,7 +269,7 @@ GmshFile::GmshFile(std::string const& file_name, std::string where, GroupNames c
   requireMeshFormat(file_name, where_);
   gmsh::logger::start();
   session_.open(file_name, where_);
-  passWarningsOn(where_);
+  forwardWarnings(where_);
   joinParts(file_name, where_);
   requireGroupsOfNames(file_name, dimension(), where_);
   groups_ = physicalGroups(dimension(), names, where_);

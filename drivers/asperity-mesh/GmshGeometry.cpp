@@ -219,7 +219,7 @@ void write(std::string const& target)
   const auto error = errorOfGmsh([&] { gmsh::write(target); });
   if (!error.empty() || !isComplete(target)) {
     throw asperity::OutputError("'" + target + "' cannot be written by Gmsh. " + error +
-                                asperity::whyNotWritten(target));
+                                asperity::writeFailureReason(target));
   }
 }
 } // namespace
@@ -249,7 +249,7 @@ std::string meshGeometry(std::string const& file_name, std::vector<std::string> 
     requireLinearSimplices(dimension, where);
   }
   const auto groups = physicalGroups(dimension, names, where);
-  tell(groups);
+  printRemarks(groups);
   warnOfCellsNotSaved(groups, dimension, where);
   warnOfFieldsThatWait(script, where);
   generate(dimension, where);
@@ -258,7 +258,7 @@ std::string meshGeometry(std::string const& file_name, std::vector<std::string> 
   return mesh;
 }
 
-void tell(PhysicalGroups const& groups)
+void printRemarks(PhysicalGroups const& groups)
 {
   for (auto const& remark : groups.remarks) {
     std::cout << remark << '\n';

@@ -26,4 +26,4 @@ std::string meshGeometry(std::string const& file_name, std::vector<std::string> 
                          std::function<std::string()> const& target);
 
 // Prints the remarks and the warnings.
-void tell(PhysicalGroups const& groups);
+void printRemarks(PhysicalGroups const& groups);

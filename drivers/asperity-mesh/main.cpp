@@ -73,7 +73,7 @@ int main(int argc, char** argv)
     return asperity::exit_done;
   } catch (std::exception const& error) {
     std::cerr << "asperity-mesh: " << error.what() << '\n';
-    asperity::leaveIfHdf5Cannot(asperity::exitStatus(error));
+    asperity::exitIfHdf5HasUnclosed(asperity::exitStatus(error));
     return asperity::exitStatus(error);
   }
 }

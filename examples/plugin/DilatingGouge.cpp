@@ -45,10 +45,10 @@ public:
     Kokkos::deep_copy(scale_, 1e-6);
   }
 
-  NodeView of(State const& state) const override { return state.at(field_name); }
+  NodeView valuesIn(State const& state) const override { return state.at(field_name); }
   int respond(StepIterate const& step, NodeView const& image) override
   {
-    const ConstNodeView before = of(step.from), V = step.slip_rate;
+    const ConstNodeView before = valuesIn(step.from), V = step.slip_rate;
     const double rest = std::exp(-step.tau / settings_.drainage_time);
     const double of_rate = settings_.dilatancy * settings_.drainage_time * (1 - rest);
     Kokkos::parallel_for(

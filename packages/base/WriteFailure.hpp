@@ -26,7 +26,7 @@ inline int errorOfOpening(std::filesystem::path const& path, int flags = 0)
 }
 
 // "Is the disk full?", with the limit of the size of files where this process has one.
-inline std::string whetherFull()
+inline std::string diskFullHint()
 {
   rlimit limit{};
   const bool limited = ::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
@@ -39,7 +39,7 @@ inline std::string whetherFull()
 // report the system's error, so the file is opened once more or, if it does not exist, an unnamed
 // file in its folder: "The system says: Read-only file system." If that succeeds, a full disk is
 // the most likely cause, or a limit of the size of files. No file is changed.
-inline std::string whyNotWritten(std::filesystem::path const& file)
+inline std::string writeFailureReason(std::filesystem::path const& file)
 {
   int error = errorOfOpening(file);
   if (error == ENOENT) {
@@ -48,7 +48,7 @@ inline std::string whyNotWritten(std::filesystem::path const& file)
   }
   // Not every file system supports unnamed files.
   return error == 0 || error == EOPNOTSUPP
-           ? whetherFull()
+           ? diskFullHint()
            : std::string("The system says: ") + std::strerror(error) + ".";
 }
 
@@ -57,7 +57,7 @@ inline void requireWritten(std::ostream& stream, std::filesystem::path const& fi
 {
   stream.flush();
   if (!stream) {
-    throw OutputError(file.string() + " cannot be written. " + whyNotWritten(file));
+    throw OutputError(file.string() + " cannot be written. " + writeFailureReason(file));
   }
 }
 } // namespace asperity

@@ -65,8 +65,8 @@ void Body::computeForces(Motion const& motion, BodyForces& forces, Vector* momen
   }
   multiply(products);
   for (std::size_t k = 0; k < matrices.branches.size(); ++k) {
-    matrices.branches[k].stiffness->apply(*motion.d[k], *forces.of_branches[k]);
-    forces.elastic->update(1, *forces.of_branches[k], 1);
+    matrices.branches[k].stiffness->apply(*motion.d[k], *forces.branch_forces[k]);
+    forces.elastic->update(1, *forces.branch_forces[k], 1);
   }
   if (motion.inelastic != nullptr) {
     forces.inelastic->putScalar(0);

@@ -31,7 +31,7 @@ struct Motion
 struct BodyForces
 {
   RCP<Vector> elastic, viscous, inertial; // K u + sum of K_k d_k - p, C v, M a
-  std::vector<RCP<Vector>> of_branches;   // K_k d_k
+  std::vector<RCP<Vector>> branch_forces; // K_k d_k
   RCP<Vector> inelastic;                  // p, null in a body without cells that yield
 
   // b -= M a + C v + K u + sum of K_k d_k - p, in one pass over the vectors.

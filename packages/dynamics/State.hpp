@@ -94,32 +94,32 @@ inline NodeView overwritten(fem::TensorView const& field)
 template <class Visit, class First, class... Others>
 void State::visitBody(Visit const& visit, First& first, Others&... others)
 {
-  static const FieldInfo of_u = {"u", "displacement", "m", false, true};
-  static const FieldInfo of_v = {"v", "velocity", "m/s", true};
-  static const FieldInfo of_a = {"a", "acceleration", "m/s^2"};
-  static const FieldInfo of_jerk = {"jerk", "jerk", "m/s^3"};
-  visit(of_u, first.u, others.u...);
-  visit(of_v, first.v, others.v...);
-  visit(of_a, first.a, others.a...);
-  visit(of_jerk, first.jerk, others.jerk...);
+  static const FieldInfo u_info = {"u", "displacement", "m", false, true};
+  static const FieldInfo v_info = {"v", "velocity", "m/s", true};
+  static const FieldInfo a_info = {"a", "acceleration", "m/s^2"};
+  static const FieldInfo jerk_info = {"jerk", "jerk", "m/s^3"};
+  visit(u_info, first.u, others.u...);
+  visit(v_info, first.v, others.v...);
+  visit(a_info, first.a, others.a...);
+  visit(jerk_info, first.jerk, others.jerk...);
   for (std::size_t k = 0; k < first.branches.size(); ++k) {
-    const FieldInfo of_branch = {"branch_" + std::to_string(k + 1),
-                                 "displacement of a Maxwell branch", "m", false, true};
-    visit(of_branch, first.branches[k], others.branches[k]...);
+    const FieldInfo branch_info = {"branch_" + std::to_string(k + 1),
+                                   "displacement of a Maxwell branch", "m", false, true};
+    visit(branch_info, first.branches[k], others.branches[k]...);
   }
 }
 
 template <class Visit, class First, class... Others>
 void State::visitFault(Visit const& visit, First& first, Others&... others)
 {
-  static const FieldInfo of_alpha = {"alpha", "alpha", "-", true};
-  static const FieldInfo of_sigma_n = {"sigma_n", "normal stress", "Pa", true, true};
-  static const FieldInfo of_rate = {"alpha_of_rate", "alpha of the last rate problem", "-"};
-  static const FieldInfo of_defect = {"alpha_defect", "defect of alpha", "-"};
-  visit(of_alpha, first.alpha, others.alpha...);
-  visit(of_sigma_n, first.sigma_n, others.sigma_n...);
-  visit(of_rate, first.alpha_of_rate, others.alpha_of_rate...);
-  visit(of_defect, first.alpha_defect, others.alpha_defect...);
+  static const FieldInfo alpha_info = {"alpha", "alpha", "-", true};
+  static const FieldInfo sigma_n_info = {"sigma_n", "normal stress", "Pa", true, true};
+  static const FieldInfo rate_info = {"alpha_of_rate", "alpha of the last rate problem", "-"};
+  static const FieldInfo defect_info = {"alpha_defect", "defect of alpha", "-"};
+  visit(alpha_info, first.alpha, others.alpha...);
+  visit(sigma_n_info, first.sigma_n, others.sigma_n...);
+  visit(rate_info, first.alpha_of_rate, others.alpha_of_rate...);
+  visit(defect_info, first.alpha_defect, others.alpha_defect...);
   for (std::size_t i = 0; i < first.added.size(); ++i) {
     visit(*first.added[i].info, first.added[i].values, others.added[i].values...);
   }
@@ -128,14 +128,14 @@ void State::visitFault(Visit const& visit, First& first, Others&... others)
 template <class Visit, class First, class... Others>
 void State::visitCells(Visit const& visit, First& first, Others&... others)
 {
-  static const FieldInfo of_strain = {"inelastic_strain", "inelastic strain", "-", true};
-  static const FieldInfo of_shear = {"inelastic_shear", "accumulated inelastic shear", "-"};
-  static const FieldInfo of_history = {"inelastic_history", "internal variables of rock", "SI"};
+  static const FieldInfo strain_info = {"inelastic_strain", "inelastic strain", "-", true};
+  static const FieldInfo shear_info = {"inelastic_shear", "accumulated inelastic shear", "-"};
+  static const FieldInfo history_info = {"inelastic_history", "internal variables of rock", "SI"};
   if (first.inelastic) {
-    visit(of_strain, first.inelastic->strain, others.inelastic->strain...);
-    visit(of_shear, first.inelastic->shear, others.inelastic->shear...);
+    visit(strain_info, first.inelastic->strain, others.inelastic->strain...);
+    visit(shear_info, first.inelastic->shear, others.inelastic->shear...);
     if (first.inelastic->history.extent(1) > 0) {
-      visit(of_history, first.inelastic->history, others.inelastic->history...);
+      visit(history_info, first.inelastic->history, others.inelastic->history...);
     }
   }
 }

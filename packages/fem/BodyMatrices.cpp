@@ -232,17 +232,17 @@ RCP<CrsMatrix> finished(RCP<CrsMatrix> const& matrix)
 }
 } // namespace
 
-Weights ofMass() { return {1, 0, 0}; }
-Weights ofViscosity() { return {0, 1, 0}; }
+Weights massWeights() { return {1, 0, 0}; }
+Weights viscosityWeights() { return {0, 1, 0}; }
 
-Weights ofBranch(BodyMatrices const& body, std::size_t branch)
+Weights branchWeights(BodyMatrices const& body, std::size_t branch)
 {
   Weights weights = {0, 0, 0, std::vector<double>(body.branches.size(), 0.)};
   weights.branches[branch] = 1;
   return weights;
 }
 
-Weights ofElasticity(BodyMatrices const& body)
+Weights elasticityWeights(BodyMatrices const& body)
 {
   return {0, 0, 1, std::vector<double>(body.branches.size(), 1.)};
 }
@@ -280,7 +280,7 @@ BodyMatrices assemblePatchedBody(Mesh<Dim> const& mesh, DofMap const& dofs,
                                  std::vector<MaxwellBranch> const& branches,
                                  VolumetricPatches const& patches)
 {
-  if (patches.of_cell.empty() && dofs.components() < Dim) {
+  if (patches.patch_of_cell.empty() && dofs.components() < Dim) {
     return assembleBody<Dim>(mesh, dofs, frames, materials, branches);
   }
   return assemble<Dim, Dim>(mesh, dofs, frames, materials, branches, patches);

@@ -65,11 +65,11 @@ struct Weights
   double mass = 0, viscosity = 0, stiffness = 0;
   std::vector<double> branches = {};
 };
-Weights ofMass();
-Weights ofViscosity();
-Weights ofBranch(BodyMatrices const& body, std::size_t branch);
+Weights massWeights();
+Weights viscosityWeights();
+Weights branchWeights(BodyMatrices const& body, std::size_t branch);
 // K and the stiffness of all branches, which a body has against a sudden motion.
-Weights ofElasticity(BodyMatrices const& body);
+Weights elasticityWeights(BodyMatrices const& body);
 
 // The sum, on the graph of stiffness; with `held`, the rows and columns of held dofs are replaced
 // by their diagonal entry.

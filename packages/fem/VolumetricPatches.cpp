@@ -106,7 +106,7 @@ VolumetricPatches makeVolumetricPatches(Mesh<Dim> const& mesh, std::vector<int> 
       continue;
     }
     if (result.empty()) {
-      result.of_cell.assign(mesh.cells.size(), -1);
+      result.patch_of_cell.assign(mesh.cells.size(), -1);
       for (auto const& m : materials) {
         result.own_modulus.push_back(m.bulk_modulus);
       }
@@ -116,7 +116,7 @@ VolumetricPatches makeVolumetricPatches(Mesh<Dim> const& mesh, std::vector<int> 
       const double of_cell = simplexOf(mesh, cell).measure;
       measure += of_cell;
       shared += of_cell * (materials[cell].bulk_modulus - own_moduli[cell]);
-      result.of_cell[cell] = static_cast<int>(result.patches.size());
+      result.patch_of_cell[cell] = static_cast<int>(result.patches.size());
       result.own_modulus[cell] = own_moduli[cell];
     }
     result.patches.push_back({std::move(cells), measure, shared / measure});

@@ -25,7 +25,7 @@ struct VolumetricPatches
     double modulus;         // k_P [Pa]
   };
   std::vector<Patch> patches;      // those of this rank's cells, complete
-  std::vector<int> of_cell;        // (num_cells) the cell's patch, or -1; empty without patches
+  std::vector<int> patch_of_cell;  // (num_cells) the cell's patch, or -1; empty without patches
   std::vector<double> own_modulus; // (num_cells) k_c [Pa]; empty without patches
 
   bool empty() const { return patches.empty(); }

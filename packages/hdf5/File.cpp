@@ -22,7 +22,7 @@ File File::create(std::filesystem::path const& path, Layout layout)
              [&] { return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()); }),
       path.string());
   } catch (Error const&) {
-    noteUnclosed(); // if the disk is full, HDF5 keeps a part of the file open
+    noteUnclosedHdf5(); // if the disk is full, HDF5 keeps a part of the file open
     throw;
   }
 }

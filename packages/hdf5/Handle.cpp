@@ -11,7 +11,7 @@ namespace asperity::h5
 namespace
 {
 // A damaged file may have any bytes in its names.
-std::string onOneLine(std::string message)
+std::string withoutControlCharacters(std::string message)
 {
   std::replace_if(
     message.begin(), message.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
@@ -35,10 +35,10 @@ void fail(std::string const& what)
   if (const auto begin = reason.find(words); begin != std::string::npos) {
     reason = reason.substr(begin + words.size());
     reason = reason.substr(0, reason.find('\''));
-    throw Error(onOneLine(what + " failed: " + reason + "."));
+    throw Error(withoutControlCharacters(what + " failed: " + reason + "."));
   }
-  throw Error(
-    onOneLine(what + " failed" + (reason.empty() ? "" : " (HDF5: " + reason + ")") + "."));
+  throw Error(withoutControlCharacters(what + " failed" +
+                                       (reason.empty() ? "" : " (HDF5: " + reason + ")") + "."));
 }
 
 Silence::Silence()
@@ -56,7 +56,7 @@ Handle::~Handle()
   }
   const Silence silence;
   if (close_(id_) < 0) {
-    noteUnclosed();
+    noteUnclosedHdf5();
   }
 }
 
@@ -67,7 +67,7 @@ void Handle::close(std::string const& what)
     checked(what, [&] {
       const herr_t result = close_(id);
       if (result < 0) {
-        noteUnclosed();
+        noteUnclosedHdf5();
       }
       return result;
     });

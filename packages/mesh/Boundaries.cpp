@@ -68,7 +68,7 @@ std::vector<typename Mesh<Dim>::Facet> outerFacets(AnyMesh<Dim> const& mesh)
   const auto beside_faults = sidesOfFaults(mesh);
   const detail::FacetTable<Dim> table(mesh.cells);
   std::vector<typename Mesh<Dim>::Facet> outer;
-  for (auto const* entry : table.ofOneCell()) {
+  for (auto const* entry : table.outerEntries()) {
     if (isComplete(mesh, entry->outward) && beside_faults.count(entry->key) == 0) {
       outer.push_back(entry->outward);
     }

@@ -186,7 +186,7 @@ std::vector<OuterFacet<Dim>> outerFacets(AnyMesh<Dim> const& mesh, Counts const&
   }
   const detail::FacetTable<Dim> table(mesh.cells);
   std::vector<OuterFacet<Dim>> outer;
-  for (auto const* entry : table.ofOneCell()) {
+  for (auto const* entry : table.outerEntries()) {
     if (counts(entry->key) && of_faults.count(entry->key) == 0) {
       const auto boundary = boundary_of.find(entry->key);
       outer.push_back({corners(mesh, entry->outward),

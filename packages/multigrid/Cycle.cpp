@@ -111,10 +111,10 @@ SumTermsRow Cycle::sumOfTerms(std::size_t l) const
                         graph.upper.data(),
                         graph.blockSize(),
                         data_[l].matrix.A.data()};
-  result.of.count = static_cast<int>(weights_.size());
+  result.weighted.count = static_cast<int>(weights_.size());
   for (std::size_t k = 0; k < weights_.size(); ++k) {
-    result.of.terms[k] = level.terms[k].data();
-    result.of.weights[k] = weights_[k];
+    result.weighted.terms[k] = level.terms[k].data();
+    result.weighted.weights[k] = weights_[k];
   }
   return result;
 }

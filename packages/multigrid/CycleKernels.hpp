@@ -99,7 +99,7 @@ struct WeightedTerms
 // A row of a coarse matrix, without added blocks. size: of a block.
 struct SumTermsRow
 {
-  WeightedTerms of;
+  WeightedTerms weighted;
   int const *lower, *diagonal, *upper; // of MatrixGraph
   int size;
   float* A;
@@ -115,8 +115,8 @@ struct SumTermsRow
     const auto end = static_cast<std::ptrdiff_t>(to) * size;
     for (auto i = static_cast<std::ptrdiff_t>(from) * size; i < end; ++i) {
       double result = 0;
-      for (int k = 0; k < of.count; ++k) {
-        result += of.weights[k] * of.terms[k][i];
+      for (int k = 0; k < weighted.count; ++k) {
+        result += weighted.weights[k] * weighted.terms[k][i];
       }
       A[i] = static_cast<float>(result);
     }

@@ -56,13 +56,13 @@ struct InnerProducts
 // The next direction and its image, and what follows from a step along it.
 struct Advance
 {
-  float again, step;
+  float beta, step;
   float const *z, *w;
   float *p, *s, *c, *r;
   KOKKOS_FUNCTION void operator()(int i) const
   {
-    p[i] = z[i] + again * p[i];
-    s[i] = w[i] + again * s[i];
+    p[i] = z[i] + beta * p[i];
+    s[i] = w[i] + beta * s[i];
     c[i] += step * p[i];
     r[i] -= step * s[i];
   }
@@ -103,18 +103,18 @@ IterationResult FloatConjugateGradients::solve(ConstNodeView const& right_side, 
       N, InnerProducts{InnerProducts::num_products, r_.data(), z, w, s_.data()});
     sum_(sums.data(), InnerProducts::num_products);
     auto const [rr, rz, zw, rw, ww, ws, rs_before, ss_before] = sums;
-    const double again = result.iterations > 0 ? rz / before : 0;
-    const double curvature = zw - (result.iterations > 0 ? again * rz / step : 0);
+    const double beta = result.iterations > 0 ? rz / before : 0;
+    const double curvature = zw - (result.iterations > 0 ? beta * rz / step : 0);
     if (!(rz > 0 && curvature > 0)) {
       break;
     }
     step = rz / curvature;
     before = rz;
     ++result.iterations;
-    schedule.forEachNumber(N, Advance{static_cast<float>(again), static_cast<float>(step), z, w,
+    schedule.forEachNumber(N, Advance{static_cast<float>(beta), static_cast<float>(step), z, w,
                                       p_.data(), s_.data(), c_.data(), r_.data()});
-    const double rs = rw + again * rs_before;
-    const double ss = ww + 2 * again * ws + again * again * ss_before;
+    const double rs = rw + beta * rs_before;
+    const double ss = ww + 2 * beta * ws + beta * beta * ss_before;
     result.converged = rr - 2 * step * rs + step * step * ss <= target;
   }
   if (norm > 0) {

@@ -19,7 +19,7 @@ class FloatConjugateGradients
 public:
   // The smallest relative tolerance: rounding separates the true residual from the one that the
   // iteration updates by less than this.
-  static constexpr double certain = 1e-3;
+  static constexpr double smallest_tolerance = 1e-3;
 
   // The cycle must outlive this.
   FloatConjugateGradients(Cycle& cycle, SumOverRanks sum);

@@ -124,7 +124,7 @@ struct Packed
   static constexpr int last = N - 4 * (num_parts - 1); // numbers in the last part
   Lanes part[num_parts] = {};
 
-  static Packed of(float const* from)
+  static Packed fromArray(float const* from)
   {
     Packed packed;
     for (int k = 0; k + 1 < num_parts; ++k) {
@@ -147,7 +147,7 @@ class RowSums
 public:
   KOKKOS_FUNCTION void add(float const* a, float const* x)
   {
-    const auto packed = Packed<C>::of(x);
+    const auto packed = Packed<C>::fromArray(x);
     for (int r = 0; r < R; ++r) {
       for (int k = 0; k < Packed<C>::num_parts; ++k) {
         sums_[r] += load(a + r * C + 4 * k) * packed.part[k];
@@ -179,7 +179,7 @@ KOKKOS_INLINE_FUNCTION void multiplySymmetric(float const* a, float const (&x)[N
 template <int R, int C>
 KOKKOS_INLINE_FUNCTION void addTransposed(float const* a, float const* x, float* to)
 {
-  auto sum = Packed<C>::of(to);
+  auto sum = Packed<C>::fromArray(to);
   for (int r = 0; r < R; ++r) {
     for (int k = 0; k < Packed<C>::num_parts; ++k) {
       sum.part[k] += load(a + r * C + 4 * k) * x[r];

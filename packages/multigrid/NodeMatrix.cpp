@@ -133,14 +133,14 @@ void TransposedProduct::multiply(NodeGraph const& graph, Schedule const& schedul
     for (auto i = static_cast<int>(parts.size()); i + 1 < schedule.numParts(); ++i) {
       parts.push_back(makeNumbers(y.extent(0)));
     }
-    int const *first = graph.first.data(), *of = graph.columns.data();
+    int const *first = graph.first.data(), *column_of = graph.columns.data();
     schedule.forEachChunk([&](int chunk, int begin, int end) {
       auto const& to = chunk == 0 ? y : parts[chunk - 1];
       std::fill_n(to.data(), to.extent(0), 0.f);
       for (int row = begin; row < end; ++row) {
         for (int k = first[row]; k < first[row + 1]; ++k) {
           addTransposed<R, C>(A.data() + static_cast<std::size_t>(k) * R * C, x.data() + row * R,
-                              to.data() + of[k] * C);
+                              to.data() + column_of[k] * C);
         }
       }
     });

@@ -70,12 +70,12 @@ struct SmootherKind
   virtual std::string meaning() const = 0;            // a sentence for the list of parameters
   virtual std::unique_ptr<Smoother> make() const = 0; // for one level
 };
-// MySmoother::meaning is its sentence.
-template <class MySmoother>
+// SmootherType::meaning is its sentence.
+template <class SmootherType>
 struct SmootherKindOf final : SmootherKind
 {
-  std::string meaning() const override { return MySmoother::meaning; }
-  std::unique_ptr<Smoother> make() const override { return std::make_unique<MySmoother>(); }
+  std::string meaning() const override { return SmootherType::meaning; }
+  std::unique_ptr<Smoother> make() const override { return std::make_unique<SmootherType>(); }
 };
 using SmootherRegistry = Registry<SmootherKind>;
 } // namespace asperity::multigrid

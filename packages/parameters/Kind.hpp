@@ -11,19 +11,19 @@ namespace asperity
 {
 // A kind of thing that a deck chooses by the name of its list, and how it is made from the list and
 // what it works with. A class derived from it says in `registered_as` what messages call it.
-template <class Thing_, class Context_>
+template <class Product_, class Context_>
 class Kind
 {
 public:
-  using Thing = Thing_;
+  using Product = Product_;
   using Context = Context_;
   virtual ~Kind() = default;
 
   virtual Teuchos::RCP<const Teuchos::ParameterList> validParameters() const = 0;
   virtual std::string meaning() const = 0; // a sentence for the list of parameters
   // `parameters` has been completed and validated. Collective.
-  virtual std::unique_ptr<Thing> make(Teuchos::ParameterList const& parameters,
-                                      Context const& context) const = 0;
+  virtual std::unique_ptr<Product> make(Teuchos::ParameterList const& parameters,
+                                        Context const& context) const = 0;
 };
 
 // The kind of a class that has static validParameters(), static meaning() and a constructor
@@ -37,8 +37,8 @@ public:
     return Type::validParameters();
   }
   std::string meaning() const override { return Type::meaning(); }
-  std::unique_ptr<typename Base::Thing> make(Teuchos::ParameterList const& parameters,
-                                             typename Base::Context const& context) const override
+  std::unique_ptr<typename Base::Product> make(Teuchos::ParameterList const& parameters,
+                                               typename Base::Context const& context) const override
   {
     return std::make_unique<Type>(parameters, context);
   }

@@ -35,17 +35,17 @@ public:
       return;
     }
     std::string all = texts_.front();
-    for (std::size_t i = 1; i < texts_.size() && i < most_told; ++i) {
+    for (std::size_t i = 1; i < texts_.size() && i < most_errors; ++i) {
       all += '\n' + texts_[i];
     }
-    if (texts_.size() > most_told) {
-      all += "\nThere are " + std::to_string(texts_.size() - most_told) + " more errors.";
+    if (texts_.size() > most_errors) {
+      all += "\nThere are " + std::to_string(texts_.size() - most_errors) + " more errors.";
     }
     throw InputError(all);
   }
 
 private:
-  static constexpr std::size_t most_told = 10;
+  static constexpr std::size_t most_errors = 10;
   std::vector<std::string> texts_;
 };
 

@@ -3,7 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Directory.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "refinement/Room.hpp"
+#include "refinement/MemoryCheck.hpp"
 #include "refinement/detail/Points.hpp"
 #include "refinement/detail/RedRule.hpp"
 #include "refinement/detail/RefinementStep.hpp"

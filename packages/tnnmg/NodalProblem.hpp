@@ -13,7 +13,7 @@ struct EnergyChange
   double magnitude = 0;
   // 1 if the change is positive by more than rounding explains, that of each term and that of a sum
   // of num_terms terms one after the other (Higham 2002, (4.4)), else 0.
-  int rises(double num_terms) const
+  int countsAsIncrease(double num_terms) const
   {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     return change > (10 + num_terms / 2) * epsilon * magnitude ? 1 : 0;

@@ -33,9 +33,9 @@ double Tnnmg::smallError(double norm) const
 // fall faster, as where the problem has changed between two iterations.
 double Tnnmg::errorAfter(double change, double left)
 {
-  const double fall = change / last_change_, fall_before = std::exchange(last_fall_, fall);
+  const double ratio = change / last_change_, ratio_before = std::exchange(last_ratio_, ratio);
   last_change_ = change;
-  const double factor = std::max({left, fall, fall_before});
+  const double factor = std::max({left, ratio, ratio_before});
   constexpr double slow = 0.5;
   return factor < slow ? factor / (1 - factor) * change : change;
 }
@@ -44,15 +44,15 @@ void Tnnmg::begin(Vector const& b, Vector const& guess)
 {
   vectors_.begin(b, guess);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
-  knows_residual_ = false;
+  has_residual_ = false;
   last_change_ = 0;
-  last_fall_ = std::numeric_limits<double>::infinity();
+  last_ratio_ = std::numeric_limits<double>::infinity();
 }
 
 void Tnnmg::computeResidual()
 {
   Z_->residual(vectors_.b, *vectors_.v, vectors_.r);
-  knows_residual_ = true;
+  has_residual_ = true;
 }
 
 // The residual is computed anew, free of the rounding of earlier updates.
@@ -64,7 +64,7 @@ TnnmgResult Tnnmg::solve(NodalProblem const& problem)
 
 TnnmgResult Tnnmg::improve(NodalProblem const& problem)
 {
-  if (!knows_residual_) {
+  if (!has_residual_) {
     computeResidual();
   }
   return iterate(problem, 1);
@@ -78,11 +78,11 @@ TnnmgResult Tnnmg::iterate(NodalProblem const& problem, int max_iterations)
     ++result.iterations;
     vectors_.beginIteration();
     failed_here += smooth(problem, result);
-    left_ = 1;
+    remaining_share_ = 1;
     const bool corrected = findCorrection(problem, result) && searchAlong(problem, result);
     auto const norms = vectors_.norms(failed_here);
     result.last_change = norms.change;
-    result.error = errorAfter(norms.change, left_);
+    result.error = errorAfter(norms.change, remaining_share_);
     result.failed_nodes = norms.failed_nodes;
     // Without a correction, the last change says nothing about the dofs that Gauss-Seidel does not
     // visit.
@@ -105,7 +105,7 @@ int Tnnmg::smooth(NodalProblem const& problem, TnnmgResult& result)
   blocks_.differenceTo(blocks_.before, blocks_.d);
   auto const nonlinear = problem.difference(blocks_.before, blocks_.d);
   Z_->finishSweeps(blocks_.d, vectors_.b, *vectors_.v, vectors_.r);
-  result.rises += vectors_.risesInSweeps(*Z_, blocks_, nonlinear);
+  result.energy_increases += vectors_.increasesInSweeps(*Z_, blocks_, nonlinear);
   return failed_nodes;
 }
 
@@ -119,12 +119,12 @@ bool Tnnmg::findCorrection(NodalProblem const& problem, TnnmgResult& result)
   auto const solved =
     correction_->solve({blocks_.hessian, blocks_.truncated}, vectors_.newton_residual,
                        settings_.correction_tolerance, vectors_.c);
-  left_ = solved.converged ? settings_.correction_tolerance : 1;
+  remaining_share_ = solved.converged ? settings_.correction_tolerance : 1;
   ++result.corrections;
   result.correction_iterations += solved.iterations;
   result.v_cycles += solved.v_cycles;
   if (!solved.converged && !(vectors_.c.norm2() > 0)) { // zero, or not a number
-    ++result.lost_corrections;
+    ++result.failed_corrections;
     return false;
   }
   return true;
@@ -181,11 +181,12 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
     change = changeAlong(step);
   }
   if (!(step > 0) && !(std::sqrt(along.curvature) <= smallError(vectors_.norms(0).v))) {
-    ++result.lost_corrections;
+    ++result.failed_corrections;
     return false;
   }
-  result.rises += change.rises(static_cast<double>(Z_->rows()->getGlobalNumElements()));
-  left_ = std::max(left_, std::fabs(1 - step));
+  result.energy_increases +=
+    change.countsAsIncrease(static_cast<double>(Z_->rows()->getGlobalNumElements()));
+  remaining_share_ = std::max(remaining_share_, std::fabs(1 - step));
   vectors_.move(step);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
   return true;

@@ -17,11 +17,11 @@ struct TnnmgResult
   int corrections = 0;
   int correction_iterations = 0; // of conjugate gradients
   int v_cycles = 0;
-  int rises = 0;            // sweeps and corrections in which J grew by more than rounding
-  int lost_corrections = 0; // corrections that were zero, or along which J did not fall
-  double last_change = 0;   // of v, in the energy norm
-  double error = 0;         // estimate of the distance to the minimiser, in the same norm
-  int failed_nodes = 0;     // on any rank
+  int energy_increases = 0;   // sweeps and corrections in which J grew by more than rounding
+  int failed_corrections = 0; // corrections that were zero, or along which J did not fall
+  double last_change = 0;     // of v, in the energy norm
+  double error = 0;           // estimate of the distance to the minimiser, in the same norm
+  int failed_nodes = 0;       // on any rank
 
   // True if more iterations would not help: a node failed, or a value is not finite.
   bool failed() const { return failed_nodes > 0 || !std::isfinite(last_change); }
@@ -66,9 +66,9 @@ private:
   TnnmgSettings settings_;
   detail::TnnmgVectors vectors_;
   detail::TnnmgBlocks blocks_;
-  bool knows_residual_ = false; // of the present v
-  double last_change_ = 0;      // of v
-  double last_fall_ = 0;        // the last change relative to the one before it
-  double left_ = 1;             // of the error, by the last correction
+  bool has_residual_ = false;  // of the present v
+  double last_change_ = 0;     // of v
+  double last_ratio_ = 0;      // the last change relative to the one before it
+  double remaining_share_ = 1; // of the error, by the last correction
 };
 } // namespace asperity::tnnmg

@@ -105,8 +105,8 @@ void TnnmgVectors::beginIteration()
   Tpetra::deep_copy(r_before, r);
 }
 
-int TnnmgVectors::risesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
-                                EnergyChange const& nonlinear) const
+int TnnmgVectors::increasesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
+                                    EnergyChange const& nonlinear) const
 {
   // With Z d = r_before - r, <Z v - b + 1/2 Z d, d> = -1/2 <r_before + r, d>; d is zero elsewhere.
   auto const d = blocks.d;
@@ -134,7 +134,7 @@ int TnnmgVectors::risesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
     sumOverRanks(std::array<double, 3>{linear + nonlinear.change, terms + nonlinear.magnitude,
                                        1. * size * Z.nodes().numNodes()},
                  *Z.rows()->getComm());
-  return EnergyChange{sums[0], sums[1]}.rises(sums[2]);
+  return EnergyChange{sums[0], sums[1]}.countsAsIncrease(sums[2]);
 }
 
 void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)

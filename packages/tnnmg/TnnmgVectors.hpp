@@ -33,8 +33,8 @@ struct TnnmgVectors
   void beginIteration();
   // Returns 1 if J rose in the sweeps, which changed v by blocks.d, else 0. nonlinear: this rank's
   // part of the change of psi. Collective.
-  int risesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
-                    EnergyChange const& nonlinear) const;
+  int increasesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
+                        EnergyChange const& nonlinear) const;
   // newton_residual = b - Z v - gradient, zero in the held components of nonlinear nodes
   void newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient);
 

@@ -30,7 +30,7 @@ def _opened(name: str, open_as: Callable, *more: str) -> Any:
 class Run:
     """A result directory; InputError unless it holds one of FILES.
 
-    What has been read is kept: `again()` shows what a run that goes on has written since.
+    What has been read is kept: `reloaded()` shows what a run that goes on has written since.
     `selection` says which events count, in all that is read or drawn of them.
     """
 
@@ -49,9 +49,9 @@ class Run:
                              "is in it.")
         self.directory = directory
         self.selection = selection
-        self._unread: Dict[str, InputError] = {}  # by file, see `sound`
+        self._unread: Dict[str, InputError] = {}  # by file, see `readable`
 
-    def again(self) -> "Run":
+    def reloaded(self) -> "Run":
         """The same directory as it is now."""
         return Run(self.directory, self.selection)
 
@@ -63,11 +63,11 @@ class Run:
         return Run(self.directory, Selection(smallest_width, smallest_magnitude, merging_time,
                                              start))
 
-    def sound(self, *names: str) -> "Run":
+    def readable(self, *names: str) -> "Run":
         """The same run without those of the files (all of READ_AS) that cannot be read, for who
-        shows what there is: a full disk or a crash leaves empty and cut files. `wrong` tells what
+        shows what there is: a full disk or a crash leaves empty and cut files. `damage` tells what
         is wrong with them."""
-        run = self.again()
+        run = self.reloaded()
         for name in names or READ_AS:
             try:
                 if run.has(name):
@@ -82,8 +82,8 @@ class Run:
         return run
 
     @property
-    def wrong(self) -> Dict[str, str]:
-        """What is wrong with the files that `sound` has left out, by file."""
+    def damage(self) -> Dict[str, str]:
+        """What is wrong with the files that `readable` has left out, by file."""
         return {name: str(error) for name, error in self._unread.items()
                 if not isinstance(error, NoStepYet)}
 
@@ -91,7 +91,7 @@ class Run:
         """Whether there is something in a file."""
         return name not in self._unread and not self._nothing_in(name)
 
-    def lack(self, name: str) -> str:
+    def reason_missing(self, name: str) -> str:
         """Why `has` is false, or ''; InputError if the file is damaged."""
         error = self._unread.get(name)
         if error and not isinstance(error, NoStepYet):

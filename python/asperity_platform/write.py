@@ -84,7 +84,7 @@ def _missing(run: Run, kind: FileKind) -> str:
     """Why there are no files of this kind, or ''."""
     name = "receivers.h5" if kind.is_station else kind.source
     if not run.has(name):
-        return run.lack(name)
+        return run.reason_missing(name)
     try:
         if kind.is_station and not run.receivers.has(f"{kind.source}/names"):
             return f"there are no receivers {kind.source.replace('_', ' ')}"

@@ -31,7 +31,7 @@ FIGURES = {  # what it shows, and the file that it needs
 def draw(name: str, run, view, is_wanted: bool = False):
     """A figure of matplotlib; NothingToShow if the run has no data for it. InputError if one that
     `is_wanted` lacks its file."""
-    lack = run.lack(FIGURES[name][1])
+    lack = run.reason_missing(FIGURES[name][1])
     if not is_wanted and lack:
         raise NothingToShow(lack)
     module = import_module("." + ("boxes" if name == "events" else name), __package__)

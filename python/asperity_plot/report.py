@@ -16,7 +16,7 @@ from .windows import Options
 
 def report(program: str, options: Namespace) -> int:
     """Exit status: 0, or 2 if the input is at fault; the other figures are drawn nevertheless."""
-    run = Run(options.directory, selection.chosen(options)).sound()
+    run = Run(options.directory, selection.chosen(options)).readable()
     _print_failure(run)
     view = windows.choose(run, options.window, _options(options))
     if options.events:
@@ -43,7 +43,7 @@ def _print_failure(run: Run) -> None:
 def _wrong_files(run: Run, options: Namespace) -> List[str]:
     """What is wrong with those that the figures need; events and parameters choose the view."""
     needed = {figures.FIGURES[name][1] for name in options.figures or figures.FIGURES}
-    return [text for name, text in run.wrong.items()
+    return [text for name, text in run.damage.items()
             if name in needed | {"events.csv", "parameters.xml"}]
 
 

@@ -19,9 +19,9 @@ DPI = 110
 
 def report(directory: Path, selection: Selection = Selection()) -> Tuple[str, List[str]]:
     """The page, and what is wrong with single files; InputError if there is no run."""
-    run = Run(directory, selection).sound()
+    run = Run(directory, selection).readable()
     log = RunLog.read(directory / "run.log")
-    wrong = list(run.wrong.values())
+    wrong = list(run.damage.values())
     parts = [("state", "State", sections.summary(facts(directory, SILENT_AFTER))),
              ("model", "Size and resolution", sections.model(log))]
     try:

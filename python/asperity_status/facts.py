@@ -53,8 +53,8 @@ class Facts:
 def facts(directory: Path, silent_after: float) -> Facts:
     """InputError if `directory` has no log of a run. The journal decides, tables add: one that is
     damaged is told in `damaged`."""
-    journal, run = Journal.read(directory), Run(directory).sound("steps.csv", "events.csv")
-    damaged = list(run.wrong.values())
+    journal, run = Journal.read(directory), Run(directory).readable("steps.csv", "events.csv")
+    damaged = list(run.damage.values())
     steps = _table(run, damaged)
     age = max(clock.time() - (directory / "run.log").stat().st_mtime, 0.0)
     state = journal.how or _without_end(directory, age, silent_after)

@@ -69,8 +69,8 @@ public:
         auto const& points = moved_points[complex_.surfaces[i]];
         const auto found = points.find(v);
         if (found != points.end()) {
-          ++given[patches_.of_triangle[i]];
-          moved[patches_.of_triangle[i]] += found->second ? 1 : 0;
+          ++given[patches_.patch_of_triangle[i]];
+          moved[patches_.patch_of_triangle[i]] += found->second ? 1 : 0;
         }
       }
     }
@@ -99,7 +99,7 @@ public:
   std::vector<bool> keptTriangles() const
   {
     std::vector<bool> is_kept;
-    for (int patch : patches_.of_triangle) {
+    for (int patch : patches_.patch_of_triangle) {
       is_kept.push_back(is_kept_[patch]);
     }
     return is_kept;
@@ -127,9 +127,10 @@ private:
   void drop(std::size_t patch, Dropped::Reason reason)
   {
     is_kept_[patch] = false;
-    auto const& of = patches_.list[patch];
-    dropped_.push_back({model_.name(of.surface), model_.isFault(of.surface), reason, of.area,
-                        centroidOf(complex_.points, complex_.triangles[of.largest])});
+    auto const& dropped_patch = patches_.list[patch];
+    dropped_.push_back({model_.name(dropped_patch.surface), model_.isFault(dropped_patch.surface),
+                        reason, dropped_patch.area,
+                        centroidOf(complex_.points, complex_.triangles[dropped_patch.largest])});
   }
 
   Complex const& complex_;

@@ -95,7 +95,7 @@ void requireEdges(TriangleSurface const& surface, TrianglesAtEdges const& at_edg
 }
 
 // Whether the triangle has the edge in its direction, from the lower number to the higher one.
-bool goesUp(Triangle const& triangle, Edge const& edge)
+bool isAscending(Triangle const& triangle, Edge const& edge)
 {
   for (int k = 0; k < 3; ++k) {
     if (triangle[k] == edge[0] && triangle[(k + 1) % 3] == edge[1]) {
@@ -123,7 +123,7 @@ void orient(TriangleSurface& surface, TrianglesAtEdges const& at_edges, std::str
           if (j == i) {
             continue;
           }
-          const bool is_turned = goesUp(triangles[i], edge) == goesUp(triangles[j], edge);
+          const bool is_turned = isAscending(triangles[i], edge) == isAscending(triangles[j], edge);
           if (!is_known[j]) {
             is_known[j] = true;
             queue.push_back(j);

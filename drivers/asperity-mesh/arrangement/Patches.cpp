@@ -34,22 +34,22 @@ Patches findPatches(Complex const& complex)
 {
   const auto at_edges = trianglesAtEdges(complex.triangles);
   Patches patches;
-  patches.of_triangle.assign(complex.triangles.size(), -1);
+  patches.patch_of_triangle.assign(complex.triangles.size(), -1);
   for (std::size_t start = 0; start < complex.triangles.size(); ++start) {
-    if (patches.of_triangle[start] >= 0) {
+    if (patches.patch_of_triangle[start] >= 0) {
       continue;
     }
     const auto number = static_cast<int>(patches.list.size());
     std::vector<int> members = {static_cast<int>(start)};
-    patches.of_triangle[start] = number;
+    patches.patch_of_triangle[start] = number;
     for (std::size_t next = 0; next < members.size(); ++next) {
       const int i = members[next];
       for (int k = 0; k < 3; ++k) {
         auto const& around = at_edges.at(edgeOf(complex.triangles[i], k));
         for (int j : around) {
           if (around.size() == 2 && complex.surfaces[j] == complex.surfaces[i] &&
-              patches.of_triangle[j] < 0) {
-            patches.of_triangle[j] = number;
+              patches.patch_of_triangle[j] < 0) {
+            patches.patch_of_triangle[j] = number;
             members.push_back(j);
           }
         }

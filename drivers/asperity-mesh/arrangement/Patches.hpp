@@ -17,7 +17,7 @@ struct Patch
 struct Patches
 {
   std::vector<Patch> list;
-  std::vector<int> of_triangle; // (num_triangles)
+  std::vector<int> patch_of_triangle; // (num_triangles)
 };
 
 // Triangles are in one patch if they are the only two at an edge, and of one surface.

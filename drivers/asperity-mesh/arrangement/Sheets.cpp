@@ -58,7 +58,7 @@ std::map<std::vector<int>, Branch> branchesOf(Complex const& complex, Patches co
     }
     std::vector<std::pair<int, Point<3>>> around; // part, direction into it
     for (int i : triangles) {
-      around.emplace_back(patches.of_triangle[i],
+      around.emplace_back(patches.patch_of_triangle[i],
                           inward(complex.points, edge, complex.triangles[i]));
     }
     std::sort(around.begin(), around.end());
@@ -118,7 +118,7 @@ std::vector<TriangleSurface> sheetsOf(TriangleSurface const& surface)
   std::vector<TriangleSurface> result;
   for (auto const& [area, sheet] : order) {
     std::vector<bool> is_part;
-    for (int patch : patches.of_triangle) {
+    for (int patch : patches.patch_of_triangle) {
       is_part.push_back(sheets.find(patch) == sheet);
     }
     result.push_back(partOf(complex, is_part));

@@ -25,9 +25,9 @@ std::string GroupNaming::renamed(std::string const& own)
   return given != given_.by_name.end() ? given->second : own;
 }
 
-std::string GroupNaming::of(std::string const& own) { return boundaryName(renamed(own)); }
+std::string GroupNaming::nameOf(std::string const& own) { return boundaryName(renamed(own)); }
 
-std::string GroupNaming::of(std::int64_t number, std::string const& own)
+std::string GroupNaming::nameOf(std::int64_t number, std::string const& own)
 {
   const auto known = of_number_.find(number);
   if (known != of_number_.end()) {

@@ -18,8 +18,8 @@ public:
   GroupNaming(GivenNames const& given, std::string option, std::string what, Maker make);
 
   // own: the name in the file, "" if there is none.
-  std::string of(std::int64_t number, std::string const& own = "");
-  std::string of(std::string const& own); // a group without a number
+  std::string nameOf(std::int64_t number, std::string const& own = "");
+  std::string nameOf(std::string const& own); // a group without a number
 
   // After all groups: InputError for a name given to none, a warning for such a number, and
   // remarks on names that were made.

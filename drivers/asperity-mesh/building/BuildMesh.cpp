@@ -51,18 +51,19 @@ CellSize sizeOfCells(Arranged const& arranged, BuildSettings const& settings)
 
 GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
                            CellSize const& size,
-                           std::function<void(std::string const&)> const& tell)
+                           std::function<void(std::string const&)> const& reportProgress)
 {
-  auto mesh = fillVolume(arranged.complex, settings.model, size,
-                         expectedCells(arranged.complex, settings.model, size).cells, tell);
+  auto mesh =
+    fillVolume(arranged.complex, settings.model, size,
+               expectedCells(arranged.complex, settings.model, size).cells, reportProgress);
   constexpr double wanted_angle = 12, least_angle = 8; // degrees
   int flat = relocateVertices(mesh, arranged.complex, settings.model, wanted_angle);
   if (const int divided = divideEdges(mesh, least_angle); divided > 0) {
-    tell("edges of flat cells divided: " + std::to_string(divided));
+    reportProgress("edges of flat cells divided: " + std::to_string(divided));
     flat = relocateVertices(mesh, arranged.complex, settings.model, wanted_angle);
   }
-  tell("vertices of flat cells moved; " + std::to_string(flat) + " cells below " +
-       std::to_string(int(wanted_angle)) + " degrees remain");
+  reportProgress("vertices of flat cells moved; " + std::to_string(flat) + " cells below " +
+                 std::to_string(int(wanted_angle)) + " degrees remain");
   mesh::checkMesh(mesh, "The mesh that Gmsh made");
   return mesh;
 }

@@ -19,5 +19,5 @@ CellSize sizeOfCells(Arranged const& arranged, BuildSettings const& settings);
 // The mesh before it is split along its faults, valid but for that. InputError as of fillVolume.
 GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
                            CellSize const& size,
-                           std::function<void(std::string const&)> const& tell);
+                           std::function<void(std::string const&)> const& reportProgress);
 } // namespace asperity::geometry

@@ -293,8 +293,8 @@ BuildSettings readBuildSettings(ParameterList& list, std::string const& folder)
       makeSurface(list.sublist("Ground"), std::string(root) + " / Ground", context), "The ground");
     context.area.reset();
     context.highest_ground = highest(ground);
-    context.tell = [](std::string const&) {}; // what is known
-    given = faultsFrom(faults, context);      // those that go up to the ground
+    context.remark = [](std::string const&) {}; // what is known
+    given = faultsFrom(faults, context);        // those that go up to the ground
   }
   auto surfaces = surfacesOf(given);
   const auto names = namesFrom(list.sublist("Box"), surfaces);

@@ -348,8 +348,8 @@ private:
                           : element.set.empty()      ? "body"
                                                      : element.set;
       element.cell = static_cast<int>(mesh_.cells.size());
-      mesh_.addCell(mesh_.region(region_names_.of(region)), positions(element.nodes, what), corners,
-                    number);
+      mesh_.addCell(mesh_.region(region_names_.nameOf(region)), positions(element.nodes, what),
+                    corners, number);
     }
     ASPERITY_REQUIRE(!mesh_.cells.empty(), file_.where() << " has no cells.");
   }
@@ -381,7 +381,7 @@ private:
         addNodes(all);
         continue;
       }
-      const auto name = boundary_names_.of(surface.name);
+      const auto name = boundary_names_.nameOf(surface.name);
       mesh_.group(name);
       for (auto const& [what, side] : surface.sides) {
         for (auto number : elementsOf(what, surface.name)) {
@@ -435,7 +435,7 @@ private:
         }
       }
       if (!sides.empty()) {
-        auto& group = mesh_.group(boundary_names_.of(set.name)).sides;
+        auto& group = mesh_.group(boundary_names_.nameOf(set.name)).sides;
         group.insert(group.end(), sides.begin(), sides.end());
       }
     }
@@ -443,7 +443,7 @@ private:
 
   void addNodes(Set const& set)
   {
-    const auto name = boundary_names_.of(set.name);
+    const auto name = boundary_names_.nameOf(set.name);
     if (!addNodeSet(mesh_, name, positions(set.members, "set '" + set.name + "'"))) {
       empty_.push_back(name);
     }

@@ -211,7 +211,7 @@ private:
 
   void addCells(Block const& block, std::vector<std::vector<int>> const& elements)
   {
-    const int region = mesh_.region(region_names_.of(block.id, block.name));
+    const int region = mesh_.region(region_names_.nameOf(block.id, block.name));
     for (auto const& nodes : elements) {
       cell_of_element_.push_back(static_cast<int>(mesh_.cells.size()));
       mesh_.addCell(region, nodes, block.num_corners,
@@ -223,7 +223,7 @@ private:
   {
     cell_of_element_.resize(cell_of_element_.size() + elements.size(), -1);
     if (block.type.dimension == mesh_.dimension - 1 && !elements.empty()) {
-      auto& sides = mesh_.group(boundary_names_.of(block.id, block.name)).sides;
+      auto& sides = mesh_.group(boundary_names_.nameOf(block.id, block.name)).sides;
       const auto corners = mesh_.dimension == 2 ? 2 : block.num_corners;
       for (auto const& nodes : elements) {
         sides.push_back(ForeignMesh::side({nodes.begin(), nodes.begin() + corners}));
@@ -245,7 +245,7 @@ private:
       ASPERITY_REQUIRE(of_cell.size() == which.size(), where_ << ": variables '" << elements
                                                               << "' and '" << sides
                                                               << "' have different lengths.");
-      const auto name = boundary_names_.of(ids[i].first, ids[i].second);
+      const auto name = boundary_names_.nameOf(ids[i].first, ids[i].second);
       for (std::size_t k = 0; k < which.size(); ++k) {
         addSide(name, of_cell[k], which[k]);
       }
@@ -271,7 +271,7 @@ private:
     for (std::size_t i = 0; i < ids.size(); ++i) {
       const auto variable = "node_ns" + std::to_string(i + 1);
       if (file_->has(variable)) {
-        const auto name = boundary_names_.of(ids[i].first, ids[i].second);
+        const auto name = boundary_names_.nameOf(ids[i].first, ids[i].second);
         if (!addNodeSet(mesh_, name, positions(variable, mesh_.vertices.size(), "node"))) {
           empty_.push_back(name);
         }

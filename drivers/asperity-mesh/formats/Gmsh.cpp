@@ -29,7 +29,7 @@ public:
                     options.assembly);
     }
     const GmshFile source(file_name, "Mesh file " + name, options.names);
-    tell(source.groups());
+    printRemarks(source.groups());
     return meshOf(source, options.assembly);
   }
 

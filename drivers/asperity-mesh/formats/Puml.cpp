@@ -96,7 +96,7 @@ private:
       static_cast<std::int64_t>(numbers<double>("geometry", 3, any_number).size() / 3);
     auto const groups = numbers<std::int64_t>("group", 0, num_cells);
     for (auto group : std::set<std::int64_t>(groups.begin(), groups.end())) {
-      mesh_.region(region_names_.of(group));
+      mesh_.region(region_names_.nameOf(group));
     }
     for (std::size_t cell = 0; cell < num_cells; ++cell) {
       std::vector<int> corners;
@@ -106,7 +106,7 @@ private:
                                 << ").");
         corners.push_back(static_cast<int>(connect[i]));
       }
-      mesh_.addCell(mesh_.region(region_names_.of(groups[cell])), corners, 4,
+      mesh_.addCell(mesh_.region(region_names_.nameOf(groups[cell])), corners, 4,
                     static_cast<std::int64_t>(cell));
     }
   }
@@ -180,7 +180,7 @@ private:
     }
     names.erase(0);
     for (auto& [number, name] : names) {
-      name = boundary_names_.of(number);
+      name = boundary_names_.nameOf(number);
     }
     for (std::size_t cell = 0; cell < code.size(); ++cell) {
       for (std::size_t face = 0; face < 4; ++face) {

@@ -147,11 +147,11 @@ private:
     auto nodes = nodesOf(cell, type);
     const auto number = numbers_.empty() ? 1 : static_cast<std::int64_t>(numbers_[cell]);
     if (type.dimension == mesh_.dimension) {
-      mesh_.addCell(mesh_.region(region_names_.of(number)), nodes, type.num_corners,
+      mesh_.addCell(mesh_.region(region_names_.nameOf(number)), nodes, type.num_corners,
                     static_cast<std::int64_t>(cell));
     } else {
       nodes.resize(static_cast<std::size_t>(type.num_corners));
-      mesh_.group(boundary_names_.of(number)).sides.push_back(ForeignMesh::side(nodes));
+      mesh_.group(boundary_names_.nameOf(number)).sides.push_back(ForeignMesh::side(nodes));
     }
   }
 

@@ -36,7 +36,7 @@ public:
     segments_ = TriangleTree(complex.points, segments);
     for (std::size_t i = 0; i < complex.triangles.size(); ++i) {
       for (int v : complex.triangles[i]) {
-        patches_at_[v].insert(patches_.of_triangle[i]);
+        patches_at_[v].insert(patches_.patch_of_triangle[i]);
       }
     }
   }
@@ -58,7 +58,7 @@ public:
         const auto other = segments_.nearest(
           place, size, [&](int i) { return own_curves.count(curve_of_[i]) == 0; });
         const auto patch = surfaces_.nearest(place, std::min(size, other.distance), [&](int i) {
-          return own_patches.count(patches_.of_triangle[i]) == 0;
+          return own_patches.count(patches_.patch_of_triangle[i]) == 0;
         });
         const double distance = std::min(other.distance, patch.distance);
         if (distance < size) {

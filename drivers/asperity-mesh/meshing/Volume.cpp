@@ -20,7 +20,7 @@ namespace asperity::geometry
 namespace
 {
 namespace model = gmsh::model;
-using Tell = std::function<void(std::string const&)>;
+using ProgressSink = std::function<void(std::string const&)>;
 
 // Gmsh's types of elements
 constexpr int type_point = 15, type_segment = 1, type_triangle = 2;
@@ -31,16 +31,16 @@ std::size_t tagOf(int point) { return static_cast<std::size_t>(point) + 1; }
 class DiscreteModel
 {
 public:
-  DiscreteModel(Complex const& complex, Model const& of)
+  DiscreteModel(Complex const& complex, Model const& named_model)
       : complex_(complex)
-      , model_(of)
+      , model_(named_model)
       , curves_(findCurves(complex))
       , patches_(findPatches(complex))
       , triangles_of_(patches_.list.size())
       , has_node_(complex.points.size(), false)
   {
     for (std::size_t i = 0; i < complex.triangles.size(); ++i) {
-      triangles_of_[patches_.of_triangle[i]].push_back(static_cast<int>(i));
+      triangles_of_[patches_.patch_of_triangle[i]].push_back(static_cast<int>(i));
     }
   }
 
@@ -149,7 +149,7 @@ private:
       sides[curve_at_.at(edge)] = number;
     }
     auto& borders = borders_.emplace_back();
-    auto& inner = slits_.emplace_back();
+    auto& inner = inner_.emplace_back();
     for (auto const& [curve, number] : sides) {
       (number == 1 ? borders : inner).push_back(curve);
     }
@@ -247,8 +247,8 @@ private:
     model::mesh::embed(2, faults_, 3, volume_);
     for (std::size_t p = 0; p < triangles_of_.size(); ++p) {
       const int tag = static_cast<int>(p) + 1;
-      if (!slits_[p].empty()) {
-        model::mesh::embed(1, slits_[p], 2, tag);
+      if (!inner_[p].empty()) {
+        model::mesh::embed(1, inner_[p], 2, tag);
       }
       if (!touched_[p].empty()) {
         model::mesh::embed(0, touched_[p], 2, tag);
@@ -261,7 +261,7 @@ private:
   std::vector<Curve> curves_;
   Patches patches_;
   std::vector<std::vector<int>> triangles_of_;              // by patch
-  std::vector<std::vector<int>> borders_, slits_, touched_; // by patch: curves, curves, corners
+  std::vector<std::vector<int>> borders_, inner_, touched_; // by patch: curves, curves, corners
   std::vector<bool> has_node_;                              // (num_points)
   std::map<int, int> corner_;                               // tag by point
   std::map<Edge, int> curve_at_;                            // tag by edge
@@ -270,7 +270,7 @@ private:
 };
 
 // The errors that Gmsh has reported.
-std::string complaints()
+std::string gmshErrors()
 {
   std::vector<std::string> lines;
   gmsh::logger::get(lines);
@@ -293,7 +293,7 @@ void generate(int dimension)
   ASPERITY_REQUIRE(error.empty(), "Gmsh cannot mesh the " << what[dimension] << ": " << error
                                                           << ". Try a smaller Cell Size at the "
                                                              "place, or a larger Snap."
-                                                          << complaints());
+                                                          << gmshErrors());
 }
 
 void setOptions()
@@ -329,9 +329,9 @@ void setSize(SizeAt const& size)
 class FillProgress
 {
 public:
-  FillProgress(double expected_cells, Tell const& tell)
+  FillProgress(double expected_cells, ProgressSink const& reportProgress)
       : expected_(calls_per_cell * expected_cells)
-      , tell_(tell)
+      , tell_(reportProgress)
   {
   }
 
@@ -365,14 +365,14 @@ private:
   static constexpr std::chrono::seconds interval{10};
 
   double expected_;
-  Tell const& tell_;
+  ProgressSink const& tell_;
   long long number_ = 0;
   Clock::time_point start_, last_;
 };
 } // namespace
 
 GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize const& size,
-                         double expected_cells, Tell const& tell)
+                         double expected_cells, ProgressSink const& reportProgress)
 {
   const GmshSession session(false);
   gmsh::logger::start();
@@ -381,9 +381,9 @@ GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize co
   DiscreteModel discrete(complex, model);
   const auto error = errorOfGmsh([&] { discrete.build(); });
   ASPERITY_REQUIRE(error.empty(),
-                   "Gmsh cannot take the surfaces: " << error << '.' << complaints());
+                   "Gmsh cannot take the surfaces: " << error << '.' << gmshErrors());
   const auto widths = discrete.widths();
-  FillProgress progress(expected_cells, tell);
+  FillProgress progress(expected_cells, reportProgress);
   setSize([&](int dimension, int entity, Point<3> const& place) {
     if (dimension == 3) {
       progress.count();
@@ -396,10 +396,10 @@ GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize co
   generate(2);
   std::vector<std::size_t> tags, nodes;
   model::mesh::getElementsByType(type_triangle, tags, nodes);
-  tell("surfaces have " + std::to_string(tags.size()) + " facets");
+  reportProgress("surfaces have " + std::to_string(tags.size()) + " facets");
   generate(3);
   auto mesh = meshInGmsh(discrete.surfacesByName());
-  tell("the volume has " + std::to_string(mesh.cells.size()) + " cells");
+  reportProgress("the volume has " + std::to_string(mesh.cells.size()) + " cells");
   model::mesh::removeSizeCallback();
   mesh::orientCells(mesh);
   mesh::orientFacets(mesh);

@@ -140,7 +140,7 @@ double append(Polyline& chain, std::vector<Polyline>& pieces)
 
 // One contour for each depth, the shallowest first.
 std::vector<Polyline> joined(std::vector<Polyline>&& contours, std::string const& where,
-                             Tell const& tell)
+                             RemarkSink const& remark)
 {
   const auto z = [](Polyline const& contour) { return contour.front()[2]; };
   std::stable_sort(contours.begin(), contours.end(),
@@ -160,9 +160,9 @@ std::vector<Polyline> joined(std::vector<Polyline>&& contours, std::string const
       gap = std::max(gap, append(chain, pieces));
     }
     if (more > 0) {
-      tell(where + ": the contour at z = " + formatShort(level) + " m has " +
-           std::to_string(more + 1) + " pieces, which are joined across up to " + formatShort(gap) +
-           " m.");
+      remark(where + ": the contour at z = " + formatShort(level) + " m has " +
+             std::to_string(more + 1) + " pieces, which are joined across up to " +
+             formatShort(gap) + " m.");
     }
     ASPERITY_REQUIRE(chain.front() != chain.back(),
                      where << ": the contour at z = " << formatShort(level)
@@ -219,22 +219,22 @@ void endAt(double z, std::vector<Polyline>& rows, std::string const& where)
 }
 
 // The way up dip for each metre of z, the mean over neighbours: single contours are rough.
-std::vector<std::array<double, 2>> waysUp(Polyline const& upper, Polyline const& lower)
+std::vector<std::array<double, 2>> upDipSlopes(Polyline const& upper, Polyline const& lower)
 {
   const int size = static_cast<int>(upper.size()), window = std::max(1, size / 10);
   const double rise = upper.front()[2] - lower.front()[2];
-  std::vector<std::array<double, 2>> ways;
+  std::vector<std::array<double, 2>> slopes;
   for (int i = 0; i < size; ++i) {
-    auto& way = ways.emplace_back();
+    auto& slope = slopes.emplace_back();
     const int first = std::max(0, i - window), last = std::min(size - 1, i + window);
     for (int k = first; k <= last; ++k) {
       for (std::size_t d = 0; d < 2; ++d) {
         const auto at = static_cast<std::size_t>(k);
-        way[d] += (upper[at][d] - lower[at][d]) / rise / (last - first + 1);
+        slope[d] += (upper[at][d] - lower[at][d]) / rise / (last - first + 1);
       }
     }
   }
-  return ways;
+  return slopes;
 }
 
 void extendTo(double z, std::vector<Polyline>& rows, std::string const& where)
@@ -243,10 +243,10 @@ void extendTo(double z, std::vector<Polyline>& rows, std::string const& where)
   if (rise <= 0) {
     return;
   }
-  const auto ways = waysUp(rows[0], rows[1]);
+  const auto slopes = upDipSlopes(rows[0], rows[1]);
   Polyline row = rows.front();
   for (std::size_t i = 0; i < row.size(); ++i) {
-    row[i] = {row[i][0] + rise * ways[i][0], row[i][1] + rise * ways[i][1], z};
+    row[i] = {row[i][0] + rise * slopes[i][0], row[i][1] + rise * slopes[i][1], z};
   }
   ASPERITY_REQUIRE(foldedSegment(rows.front(), row) < 0,
                    where << ": the surface cannot go on up dip from z = "
@@ -263,9 +263,9 @@ std::vector<Polyline> readContours(std::string const& file_name)
 }
 
 TriangleSurface contourSurface(std::vector<Polyline> contours, ContourOptions const& options,
-                               std::string const& where, Tell const& tell)
+                               std::string const& where, RemarkSink const& remark)
 {
-  const auto sorted = joined(std::move(contours), where, tell);
+  const auto sorted = joined(std::move(contours), where, remark);
   ASPERITY_REQUIRE(sorted.size() >= 2, where << " has contours of " << sorted.size()
                                              << " depth; two or more are needed.");
   const int num_segments = numSegments(sorted, options.spacing);

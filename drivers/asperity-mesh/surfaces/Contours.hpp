@@ -27,5 +27,5 @@ struct ContourOptions
 // points at equal shares of their lengths are connected. InputError, which starts with `where`, for
 // fewer than two depths, closed contours, a lower edge outside the contours, or a folded surface.
 TriangleSurface contourSurface(std::vector<Polyline> contours, ContourOptions const& options,
-                               std::string const& where, Tell const& tell = printRemark);
+                               std::string const& where, RemarkSink const& remark = printRemark);
 } // namespace asperity::geometry

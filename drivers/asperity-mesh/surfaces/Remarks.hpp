@@ -6,7 +6,7 @@
 namespace asperity::geometry
 {
 // Takes full sentences on what was changed or left out while a file was read.
-using Tell = std::function<void(std::string const&)>;
+using RemarkSink = std::function<void(std::string const&)>;
 
 // On the error stream, as warnings of the tool.
 void printRemark(std::string const& sentence);

@@ -81,13 +81,13 @@ void addPolygon(TriangleSurface& surface, std::vector<int> const& corners)
 }
 
 TriangleSurface readSurface(std::string const& file_name, double scale, std::string const& part,
-                            Tell const& tell)
+                            RemarkSink const& remark)
 {
   std::string where = "Surface file '" + file_name + "'";
   auto chosen = choose(readParts(file_name), part, where);
   if (chosen.unit > 0 && chosen.unit != scale) {
-    tell(where + " says that its unit is " + formatNumber(chosen.unit) +
-         " m, but it is read with the unit " + formatNumber(scale) + " m.");
+    remark(where + " says that its unit is " + formatNumber(chosen.unit) +
+           " m, but it is read with the unit " + formatNumber(scale) + " m.");
   }
   if (!part.empty()) {
     where += ", surface '" + part + "'";
@@ -97,7 +97,7 @@ TriangleSurface readSurface(std::string const& file_name, double scale, std::str
       x *= scale;
     }
   }
-  return welded(std::move(chosen.surface), where, tell);
+  return welded(std::move(chosen.surface), where, remark);
 }
 
 std::vector<std::string> partsOfSurface(std::string const& file_name)

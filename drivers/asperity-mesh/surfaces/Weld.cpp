@@ -126,7 +126,8 @@ std::string triangleCount(std::size_t count)
 }
 } // namespace
 
-TriangleSurface welded(TriangleSurface&& surface, std::string const& where, Tell const& tell)
+TriangleSurface welded(TriangleSurface&& surface, std::string const& where,
+                       RemarkSink const& remark)
 {
   ASPERITY_REQUIRE(surface.points.size() < std::numeric_limits<int>::max() &&
                      surface.triangles.size() < std::numeric_limits<int>::max(),
@@ -142,12 +143,12 @@ TriangleSurface welded(TriangleSurface&& surface, std::string const& where, Tell
   }
   const std::size_t all = result.triangles.size();
   if (const auto count = dropWithoutArea(result.points, result.triangles)) {
-    tell(where + ": " + triangleCount(count) + " of " + std::to_string(all) +
-         " without area left out.");
+    remark(where + ": " + triangleCount(count) + " of " + std::to_string(all) +
+           " without area left out.");
   }
   if (const auto count = dropRepeated(result.triangles)) {
-    tell(where + ": " + triangleCount(count) + " of " + std::to_string(all) +
-         " left out, because the same three corners have a triangle already.");
+    remark(where + ": " + triangleCount(count) + " of " + std::to_string(all) +
+           " left out, because the same three corners have a triangle already.");
   }
   ASPERITY_REQUIRE(!result.triangles.empty(),
                    where << " has no triangle" << (all > 0 ? " with an area." : "."));

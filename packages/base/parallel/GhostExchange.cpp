@@ -182,11 +182,11 @@ void GhostExchange::share(Kokkos::View<T*, MemorySpace> const& values, int width
     return;
   }
   auto const& buffer = buffers<T>(width);
-  pack<T>(owned_.on_device, values, width, buffer.of_owned);
-  Kokkos::deep_copy(buffer.of_owned_on_host, buffer.of_owned);
-  send(owned_, buffer.of_owned_on_host.data(), ghosts_, buffer.of_ghosts_on_host.data(), width);
-  Kokkos::deep_copy(buffer.of_ghosts, buffer.of_ghosts_on_host);
-  unpack<T>(ghosts_.on_device, buffer.of_ghosts, width, values);
+  pack<T>(owned_.on_device, values, width, buffer.owned);
+  Kokkos::deep_copy(buffer.owned_on_host, buffer.owned);
+  send(owned_, buffer.owned_on_host.data(), ghosts_, buffer.ghosts_on_host.data(), width);
+  Kokkos::deep_copy(buffer.ghosts, buffer.ghosts_on_host);
+  unpack<T>(ghosts_.on_device, buffer.ghosts, width, values);
 }
 
 template <class T>
@@ -197,11 +197,11 @@ void GhostExchange::gather(Kokkos::View<const T*, MemorySpace> const& from, T fa
     return;
   }
   auto const& buffer = buffers<T>(width);
-  pack<T>(ghosts_.on_device, from, width, buffer.of_ghosts);
-  Kokkos::deep_copy(buffer.of_ghosts_on_host, buffer.of_ghosts);
-  send(ghosts_, buffer.of_ghosts_on_host.data(), owned_, buffer.of_owned_on_host.data(), width);
-  Kokkos::deep_copy(buffer.of_owned, buffer.of_owned_on_host);
-  auto const came = buffer.of_owned;
+  pack<T>(ghosts_.on_device, from, width, buffer.ghosts);
+  Kokkos::deep_copy(buffer.ghosts_on_host, buffer.ghosts);
+  send(ghosts_, buffer.ghosts_on_host.data(), owned_, buffer.owned_on_host.data(), width);
+  Kokkos::deep_copy(buffer.owned, buffer.owned_on_host);
+  auto const came = buffer.owned;
   auto const owners = owners_, first = first_place_, places = places_;
   Kokkos::parallel_for(
     label_add, RangePolicy(0, owners.extent_int(0)), KOKKOS_LAMBDA(int i) {
@@ -224,8 +224,8 @@ GhostExchange::Buffers<T> const& GhostExchange::buffers(int width) const
       on_host = Kokkos::create_mirror_view(values);
     }
   };
-  make(owned_, buffer.of_owned, buffer.of_owned_on_host);
-  make(ghosts_, buffer.of_ghosts, buffer.of_ghosts_on_host);
+  make(owned_, buffer.owned, buffer.owned_on_host);
+  make(ghosts_, buffer.ghosts, buffer.ghosts_on_host);
   return buffer;
 }
 

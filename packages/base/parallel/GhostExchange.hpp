@@ -64,8 +64,8 @@ private:
   struct Buffers
   {
     using OnDevice = Kokkos::View<T*, MemorySpace>;
-    OnDevice of_owned, of_ghosts;
-    decltype(Kokkos::create_mirror_view(OnDevice())) of_owned_on_host, of_ghosts_on_host;
+    OnDevice owned, ghosts;
+    decltype(Kokkos::create_mirror_view(OnDevice())) owned_on_host, ghosts_on_host;
   };
 
   GhostExchange(RCP<const Communicator> communicator, int num_owned, Side owned, Side ghosts);

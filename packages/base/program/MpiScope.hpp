@@ -52,11 +52,11 @@ ExitStatus exitStatus(std::exception const& error);
 
 // HDF5 holds something that it could not close, for example because the disk is full. Its own
 // clean-up, in MPI_Finalize and at the exit of the program, would try again and crash.
-void noteUnclosed();
+void noteUnclosedHdf5();
 
 // Ends the process with this status at once if HDF5's clean-up would crash, after all output has
 // been written; returns otherwise.
-void leaveIfHdf5Cannot(int status);
+void exitIfHdf5HasUnclosed(int status);
 
 // Runs `body` on every rank and returns the exit status of the program, the same on all ranks: the
 // largest that `body` returned or, after an exception, exitStatus of the exception on the lowest

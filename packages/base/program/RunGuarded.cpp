@@ -78,8 +78,8 @@ private:
     return result;
   }
 
-  // The number of ranks that have thrown another message than the rank `speaker`, on that rank.
-  int countOthers(Outcome const& outcome, int speaker) const;
+  // The number of ranks that have thrown another message than the rank `printer`, on that rank.
+  int countOthers(Outcome const& outcome, int printer) const;
 
   MeetingPoint meeting_point_;
   MPI_Comm communicator_;
@@ -87,16 +87,16 @@ private:
   int size_;
 };
 
-int GuardCommunicator::countOthers(Outcome const& outcome, int speaker) const
+int GuardCommunicator::countOthers(Outcome const& outcome, int printer) const
 {
   int length = static_cast<int>(outcome.message.size());
-  MPI_Bcast(&length, 1, MPI_INT, speaker, communicator_);
-  std::string spoken = outcome.message;
-  spoken.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(spoken.data(), length, MPI_CHAR, speaker, communicator_);
-  const int differs = outcome.has_thrown && outcome.message != spoken ? 1 : 0;
+  MPI_Bcast(&length, 1, MPI_INT, printer, communicator_);
+  std::string reported = outcome.message;
+  reported.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(reported.data(), length, MPI_CHAR, printer, communicator_);
+  const int differs = outcome.has_thrown && outcome.message != reported ? 1 : 0;
   int count = 0;
-  MPI_Reduce(&differs, &count, 1, MPI_INT, MPI_SUM, speaker, communicator_);
+  MPI_Reduce(&differs, &count, 1, MPI_INT, MPI_SUM, printer, communicator_);
   return count;
 }
 
@@ -108,19 +108,19 @@ void printMessage(std::string const& program, std::string const& message)
 
 int GuardCommunicator::agree(Outcome const& outcome, std::string const& program) const
 {
-  const int speaker = smallest(outcome.has_thrown ? rank_ : size_);
-  if (speaker == size_) {
+  const int printer = smallest(outcome.has_thrown ? rank_ : size_);
+  if (printer == size_) {
     return -smallest(-outcome.status);
   }
-  const int others = countOthers(outcome, speaker);
-  if (rank_ == speaker) {
+  const int others = countOthers(outcome, printer);
+  if (rank_ == printer) {
     const std::string ranks =
       std::to_string(others) + (others == 1 ? " other rank" : " other ranks");
     const std::string note = " (" + ranks + " failed differently.)";
     printMessage(program, outcome.message + (others == 0 ? "" : note));
   }
   int status = outcome.status;
-  MPI_Bcast(&status, 1, MPI_INT, speaker, communicator_);
+  MPI_Bcast(&status, 1, MPI_INT, printer, communicator_);
   return status;
 }
 
@@ -143,9 +143,9 @@ ExitStatus exitStatus(std::exception const& error)
                                                                : exit_other;
 }
 
-void noteUnclosed() { holds_unclosed = true; }
+void noteUnclosedHdf5() { holds_unclosed = true; }
 
-void leaveIfHdf5Cannot(int status)
+void exitIfHdf5HasUnclosed(int status)
 {
   if (holds_unclosed) {
     flushAll();

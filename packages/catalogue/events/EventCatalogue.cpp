@@ -99,7 +99,7 @@ std::string EventCatalogue::report() const
   return text.str();
 }
 
-std::vector<double> EventCatalogue::choice() const
+std::vector<double> EventCatalogue::signature() const
 {
   std::vector<double> numbers{settings_.merging_time, settings_.smallest_width,
                               settings_.smallest_magnitude};
@@ -112,7 +112,7 @@ std::vector<double> EventCatalogue::choice() const
 void EventCatalogue::save(Archive& archive) const
 {
   all_.save(archive);
-  archive.set("choice", choice());
+  archive.set("choice", signature());
   for (std::size_t i = 0; i < faults_.size(); ++i) {
     archive.insert("faults/" + std::to_string(i), *faults_[i]);
   }
@@ -121,7 +121,7 @@ void EventCatalogue::save(Archive& archive) const
 void EventCatalogue::restore(Archive const& archive)
 {
   ASPERITY_REQUIRE(
-    archive.get<std::vector<double>>("choice") == choice(),
+    archive.get<std::vector<double>>("choice") == signature(),
     "Asperity / Output / Event Catalogue: the checkpoint continues a table with "
     "another Merging Time, Smallest Width, Smallest Magnitude or Each Fault. Restart "
     "with those of the earlier run; asperity-plot and asperity-report can leave out "

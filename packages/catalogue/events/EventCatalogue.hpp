@@ -60,7 +60,7 @@ public:
 private:
   EventCatalogue(EventSettings const& settings, io::OutputContext const& context);
 
-  std::vector<double> choice() const; // what a restart has to find unchanged
+  std::vector<double> signature() const; // what a restart has to find unchanged
 
   EventSettings settings_;
   FaultEvents all_;                                  // of all nodes of the fault

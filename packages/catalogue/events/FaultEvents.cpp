@@ -40,7 +40,7 @@ FaultEvents::FaultEvents(EventSettings const& settings, io::OutputContext const&
                          std::optional<int> boundary)
     : EventFollower(context, settings.threshold, boundary)
     , settings_(settings)
-    , whole_(whole)
+    , all_faults_(whole)
     , slip_(context.fields.field("fault", "slip"))
     , energies_(whole ? EventEnergies() : EventEnergies(context.fields))
     , file_(context.directory / file, eventColumns(!fault().isCurve()) + energies_.header(),
@@ -59,7 +59,7 @@ void FaultEvents::write(io::StepInfo const& step)
   EventFollower::write(step);
   largest_rate_ = std::max(largest_rate_, previous().peak);
   is_seismic_throughout_ = is_seismic_throughout_ && eventInProgress();
-  if (waits_ && step.time - last_.end >= settings_.merging_time) {
+  if (may_merge_ && step.time - last_event_.end >= settings_.merging_time) {
     recordLast();
   }
   std::swap(before_, now_);
@@ -67,20 +67,20 @@ void FaultEvents::write(io::StepInfo const& step)
 
 void FaultEvents::begin(Sample const& now)
 {
-  earlier_ = Sample();
+  older_sample_ = Sample();
   const double onset = crossingTime(now);
-  if (waits_ && onset - last_.end < settings_.merging_time) {
-    waits_ = false; // the event before goes on
+  if (may_merge_ && onset - last_event_.end < settings_.merging_time) {
+    may_merge_ = false; // the event before goes on
     ++num_events_;
     return;
   }
-  if (waits_) {
+  if (may_merge_) {
     recordLast();
   }
-  open_ = Event();
-  open_.onset = onset;
+  current_event_ = Event();
+  current_event_.onset = onset;
   ++num_events_;
-  open_.number = whole_ ? whole_->open_.number : num_events_;
+  current_event_.number = all_faults_ ? all_faults_->current_event_.number : num_events_;
   // If the very first sample is seismic, the fastest node counts as the first one.
   std::vector<double> lateness(fault().numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
@@ -90,8 +90,8 @@ void FaultEvents::begin(Sample const& now)
     }
   }
   const auto first = firstNode(fault(), lateness);
-  open_.nucleation = first.position;
-  open_.hypocentre = first.coordinates;
+  current_event_.nucleation = first.position;
+  current_event_.hypocentre = first.coordinates;
   energies_at_begin_ = hasPrevious() ? before_.energies : now_.energies;
   seismic_slip_.assign(fault().numOwned(), 0);
   ruptured_.assign(fault().numOwned(), 0);
@@ -99,7 +99,8 @@ void FaultEvents::begin(Sample const& now)
 
 void FaultEvents::follow(Sample const& now)
 {
-  open_.peak_slip_rate = std::max({open_.peak_slip_rate, now.peak, peakSince(now)});
+  current_event_.peak_slip_rate =
+    std::max({current_event_.peak_slip_rate, now.peak, peakSince(now)});
   const std::size_t components = slip_.components;
   for (std::size_t i = 0; i < fault().numOwned(); ++i) {
     if (now.rates[i] >= threshold()) {
@@ -115,25 +116,26 @@ void FaultEvents::follow(Sample const& now)
     }
   }
   if (hasPrevious()) {
-    earlier_ = previous();
+    older_sample_ = previous();
   }
 }
 
 double FaultEvents::peakSince(Sample const& now) const
 {
   double largest = 0;
-  for (std::size_t i = 0; i < earlier_.rates.size(); ++i) {
-    largest = std::max(largest, peakRate({earlier_.time, previous().time, now.time},
-                                         {earlier_.rates[i], previous().rates[i], now.rates[i]}));
+  for (std::size_t i = 0; i < older_sample_.rates.size(); ++i) {
+    largest =
+      std::max(largest, peakRate({older_sample_.time, previous().time, now.time},
+                                 {older_sample_.rates[i], previous().rates[i], now.rates[i]}));
   }
   return maxOverRanks(largest, *fault().comm);
 }
 
 void FaultEvents::end(Sample const& now)
 {
-  last_ = measure(crossingTime(now), true);
+  last_event_ = measure(crossingTime(now), true);
   energies_at_end_ = now_.energies;
-  waits_ = true;
+  may_merge_ = true;
 }
 
 Event FaultEvents::measure(double end_time, bool complete) const
@@ -144,7 +146,7 @@ Event FaultEvents::measure(double end_time, bool complete) const
     moment += fault().weights[i] * shear_modulus_[i] * seismic_slip_[i];
   }
   auto const& comm = *fault().comm;
-  Event event = open_;
+  Event event = current_event_;
   event.end = end_time;
   event.peak_slip = maxOverRanks(largest(seismic_slip_), comm);
   event.moment = sumOverRanks(moment, comm);
@@ -182,13 +184,13 @@ bool FaultEvents::isSmall(Event const& event) const
 
 void FaultEvents::recordLast()
 {
-  waits_ = false;
-  if (isSmall(last_)) {
+  may_merge_ = false;
+  if (isSmall(last_event_)) {
     ++num_small_;
     return;
   }
-  events_.push_back(last_);
-  file_.writeRow(eventRow(last_) + energies_.columns(energies_at_begin_, energies_at_end_));
+  events_.push_back(last_event_);
+  file_.writeRow(eventRow(last_event_) + energies_.columns(energies_at_begin_, energies_at_end_));
   file_.flush(); // events are rare, and users wait for them
 }
 
@@ -197,12 +199,12 @@ void FaultEvents::closeSegment(int) { file_.flush(); }
 void FaultEvents::finish()
 {
   if (eventInProgress()) {
-    last_ = measure(previous().time, false);
+    last_event_ = measure(previous().time, false);
     energies_at_end_ = before_.energies;
-    waits_ = true;
+    may_merge_ = true;
     stop();
   }
-  if (waits_) {
+  if (may_merge_) {
     recordLast();
   }
   file_.flush();
@@ -210,7 +212,7 @@ void FaultEvents::finish()
 
 std::optional<std::int64_t> FaultEvents::numEvents() const
 {
-  const bool one_more = eventInProgress() || waits_;
+  const bool one_more = eventInProgress() || may_merge_;
   return static_cast<std::int64_t>(events_.size()) + one_more;
 }
 
@@ -239,12 +241,12 @@ void FaultEvents::save(Archive& archive) const
   for (auto const& event : events_) {
     appendNumbers(event, fault().dimension, numbers);
   }
-  appendNumbers(open_, fault().dimension, open);
-  appendNumbers(last_, fault().dimension, last);
+  appendNumbers(current_event_, fault().dimension, open);
+  appendNumbers(last_event_, fault().dimension, last);
   archive.set("num_events", num_events_);
   archive.set("num_small", num_small_);
   archive.set("last_event", last);
-  archive.set("last_waits", waits_);
+  archive.set("last_waits", may_merge_);
   archive.set("largest_rate", largest_rate_);
   archive.set("seismic_throughout", is_seismic_throughout_);
   archive.set("energies_at_end", energies_at_end_);
@@ -253,8 +255,8 @@ void FaultEvents::save(Archive& archive) const
   archive.setAtNodes("seismic_slip", seismic_slip_, fault().name);
   archive.setAtNodes("ruptured", ruptured_, fault().name);
   archive.set("energies_at_begin", energies_at_begin_);
-  archive.set("earlier/time", earlier_.time);
-  archive.setAtNodes("earlier/rates", earlier_.rates, fault().name);
+  archive.set("earlier/time", older_sample_.time);
+  archive.setAtNodes("earlier/rates", older_sample_.rates, fault().name);
   archive.setAtNodes("before/slip", before_.slip, fault().name);
   archive.set("before/energies", before_.energies);
 }
@@ -270,11 +272,11 @@ void FaultEvents::restore(Archive const& archive)
   for (std::size_t i = 0; i < numbers.size(); i += numbersOfEvent(dimension)) {
     events_.push_back(eventFrom(&numbers[i], dimension));
   }
-  open_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
-  last_ = eventFrom(archive.get<Numbers>("last_event").data(), dimension);
+  current_event_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
+  last_event_ = eventFrom(archive.get<Numbers>("last_event").data(), dimension);
   num_events_ = archive.getInteger("num_events");
   num_small_ = archive.getInteger("num_small");
-  waits_ = archive.getInteger("last_waits") != 0;
+  may_merge_ = archive.getInteger("last_waits") != 0;
   const bool knows_rates = archive.has("largest_rate"); // not of versions before: no sentence then
   largest_rate_ = knows_rates ? archive.getDouble("largest_rate") : 0;
   is_seismic_throughout_ = knows_rates && archive.getInteger("seismic_throughout") != 0;
@@ -282,8 +284,8 @@ void FaultEvents::restore(Archive const& archive)
   seismic_slip_ = archive.get<Numbers>("seismic_slip");
   ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");
   energies_at_begin_ = archive.get<Numbers>("energies_at_begin");
-  earlier_.time = archive.getDouble("earlier/time");
-  earlier_.rates = archive.get<Numbers>("earlier/rates");
+  older_sample_.time = archive.getDouble("earlier/time");
+  older_sample_.rates = archive.get<Numbers>("earlier/rates");
   before_.slip = archive.get<Numbers>("before/slip");
   before_.energies = archive.get<Numbers>("before/energies");
 }

@@ -61,7 +61,7 @@ private:
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
   EventSettings settings_;
-  FaultEvents const* whole_;
+  FaultEvents const* all_faults_;
   io::OutputField const& slip_;
   EventEnergies energies_;
   std::optional<FaultPlane> plane_;   // of a surface
@@ -74,10 +74,10 @@ private:
   bool is_seismic_throughout_ = true;
 
   SlipAndEnergies now_, before_;
-  Event open_;         // onset, first node and peak rate of the event in progress
-  Sample earlier_;     // the one before the previous one; no rates in the first step of an event
-  Event last_;         // the one that ended last,
-  bool waits_ = false; // while another one may become part of it
+  Event current_event_; // onset, first node and peak rate of the event in progress
+  Sample older_sample_; // the one before the previous one; no rates in the first step of an event
+  Event last_event_;    // the one that ended last,
+  bool may_merge_ = false; // while another one may become part of it
   std::vector<double> energies_at_begin_, energies_at_end_;
   std::vector<double> seismic_slip_;   // (num_owned) [m]
   std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold

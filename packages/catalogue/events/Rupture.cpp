@@ -109,7 +109,7 @@ io::SegmentedTable::Options Rupture::tableOptions(std::filesystem::path const& d
     {"number", "-", "Number of the event, from 1.", h5::Type::int64, {}},
     {"onset", "s", "When the first node reached the threshold.", h5::Type::float64, {}},
     {"rupture_time", "s", "When each node first reached the threshold in the event; nan: never.",
-     h5::Type::float64, nodes, io::SegmentedTable::Column::Of::nodes}};
+     h5::Type::float64, nodes, io::SegmentedTable::Column::Support::nodes}};
   options.describe_index = [this](h5::File& file) {
     file.setAttribute("format", "asperity rupture");
     file.setAttribute("format_version", std::int64_t(1));

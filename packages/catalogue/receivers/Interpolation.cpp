@@ -45,17 +45,18 @@ std::vector<Values> Interpolation::operator()(std::vector<Values> const& fields,
   const int rank = from_.comm->getRank(), num_ranks = from_.comm->getSize();
   const std::size_t num_points = points_.size() / static_cast<std::size_t>(from_.dimension);
   std::vector<Values> result(fields.size());
-  for (int asking = 0; asking < num_ranks; ++asking) {
-    const auto size = maxOverRanks(rank == asking ? GlobalOrdinal(num_points) : 0, *from_.comm);
+  for (int source_rank = 0; source_rank < num_ranks; ++source_rank) {
+    const auto size =
+      maxOverRanks(rank == source_rank ? GlobalOrdinal(num_points) : 0, *from_.comm);
     for (std::size_t first = 0; first < static_cast<std::size_t>(size); first += points_at_once) {
       const auto last = std::min(first + points_at_once, static_cast<std::size_t>(size));
-      const auto located = rank == asking ? find(part(points_, from_.dimension, first, last),
-                                                 part(searched_, from_.dimension, first, last))
-                                          : find({}, {});
+      const auto located = rank == source_rank ? find(part(points_, from_.dimension, first, last),
+                                                      part(searched_, from_.dimension, first, last))
+                                               : find({}, {});
       const Sampling sampling(from_, located, centring);
       for (std::size_t i = 0; i < fields.size(); ++i) {
         auto const values = sampling(fields[i], components);
-        if (rank == asking) {
+        if (rank == source_rank) {
           result[i].insert(result[i].end(), values.begin(), values.end());
         }
       }

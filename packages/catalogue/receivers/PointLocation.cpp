@@ -100,7 +100,7 @@ PointLocation::PointLocation(io::OutputDomain const& domain) : domain_(domain), 
   }
 }
 
-LocatedPoint PointLocation::nearestOfRank(double const* point, std::size_t& element_of_it) const
+LocatedPoint PointLocation::nearestOfRank(double const* point, std::size_t& nearest_element) const
 {
   LocatedPoint best;
   best.distance = std::numeric_limits<double>::infinity();
@@ -112,7 +112,7 @@ LocatedPoint PointLocation::nearestOfRank(double const* point, std::size_t& elem
     LocatedPoint candidate = located(domain_, element, simplexOf(domain_, element), point);
     if (isNearer(candidate, best)) {
       best = std::move(candidate);
-      element_of_it = element;
+      nearest_element = element;
     }
     return best.distance + margin; // elements as near to rounding may have lesser nodes
   });
@@ -134,13 +134,13 @@ std::vector<LocatedPoint> PointLocation::operator()(std::vector<double> const& p
   std::vector<LocatedPoint> result;
   for (std::size_t first = 0; first < points.size(); first += at_once) {
     const auto size = std::min(at_once, points.size() - first);
-    locateSome(&points[first], &searched[first], size, result);
+    locateBatch(&points[first], &searched[first], size, result);
   }
   return result;
 }
 
-void PointLocation::locateSome(double const* points, double const* searched, std::size_t size,
-                               std::vector<LocatedPoint>& result) const
+void PointLocation::locateBatch(double const* points, double const* searched, std::size_t size,
+                                std::vector<LocatedPoint>& result) const
 {
   std::vector<double> mine;
   for (std::size_t i = 0; i < size; i += domain_.dimension) {

@@ -35,9 +35,9 @@ public:
                                        std::vector<double> const& searched) const;
 
 private:
-  LocatedPoint nearestOfRank(double const* point, std::size_t& element_of_it) const;
-  void locateSome(double const* points, double const* searched, std::size_t size,
-                  std::vector<LocatedPoint>& result) const;
+  LocatedPoint nearestOfRank(double const* point, std::size_t& nearest_element) const;
+  void locateBatch(double const* points, double const* searched, std::size_t size,
+                   std::vector<LocatedPoint>& result) const;
 
   io::OutputDomain const& domain_;
   ElementTree tree_;

@@ -102,7 +102,7 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
                         located[i].coordinates.end());
   }
   sampling_ = std::make_unique<Sampling>(domain, located);
-  of_elements_ = std::make_unique<Sampling>(domain, located, io::Centring::elements);
+  element_sampling_ = std::make_unique<Sampling>(domain, located, io::Centring::elements);
   if (domain.isCurve()) {
     positions_ = (*sampling_)(domain.positions, 1);
   }
@@ -120,14 +120,14 @@ std::vector<io::SegmentedTable::Column> ReceiverGroup::columns(std::string const
   for (auto const* field : chosen_) {
     columns.push_back({group + "/fields/" + field->name, field->unit, field->description,
                        h5::Type::float64, io::rowShape(places_.size(), field->components),
-                       io::SegmentedTable::Column::Of::run, io::componentsText(*field)});
+                       io::SegmentedTable::Column::Support::run, io::componentsText(*field)});
   }
   return columns;
 }
 
 std::vector<double> ReceiverGroup::sample(io::OutputField const& field) const
 {
-  auto const& sampling = field.centring == io::Centring::nodes ? *sampling_ : *of_elements_;
+  auto const& sampling = field.centring == io::Centring::nodes ? *sampling_ : *element_sampling_;
   auto found = values_at_places_.find(&field);
   if (found == values_at_places_.end()) {
     const auto at_places = field.at ? field.at(sampling.places()) : io::OutputField::Values();

@@ -50,7 +50,7 @@ private:
   std::vector<NamedPlace> places_;
   std::vector<double> coordinates_; // (num_receivers, dimension) [m] on the domain
   std::vector<double> positions_;   // (num_receivers) [m] of a curve, otherwise empty
-  std::unique_ptr<Sampling> sampling_, of_elements_; // nodal values, those of elements
+  std::unique_ptr<Sampling> sampling_, element_sampling_; // nodal values, those of elements
   std::vector<io::OutputField const*> chosen_;
   // How the values at the receivers' places are found, of each field that was sampled.
   mutable std::map<io::OutputField const*, io::OutputField::Values> values_at_places_;

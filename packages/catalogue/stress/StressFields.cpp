@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  std::vector<double> observed(VertexMotion const& motion) const
+  std::vector<double> observed(VertexFields const& motion) const
   {
     auto stress = stress_.stress(motion.displacement, motion.velocity, motion.branches);
     if (yielded_) {
@@ -69,7 +69,7 @@ private:
 
   std::vector<int> cells_;
   fem::CellStress<Dim> stress_;
-  VertexMotions motions_;
+  VertexFieldSource motions_;
   bool is_viscous_; // on any rank: evaluating velocities is collective
   std::function<YieldedStrain(std::vector<int> const&)> yielded_;
   std::vector<fem::Material> materials_; // (cells)

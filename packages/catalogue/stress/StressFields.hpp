@@ -17,16 +17,16 @@
 namespace asperity::catalogue
 {
 // What stress at some vertices follows from, along the axes, (vertices, components) each.
-struct VertexMotion
+struct VertexFields
 {
   std::vector<double> displacement, velocity; // [m], [m/s]; velocity is empty unless wanted
   std::vector<std::vector<double>> branches;  // (num_branches) displacements of Maxwell branches
 };
 
 // The motion now and at the start of the run. Collective.
-struct VertexMotions
+struct VertexFieldSource
 {
-  std::function<VertexMotion(bool with_velocity)> now, at_start;
+  std::function<VertexFields(bool with_velocity)> now, at_start;
 };
 
 // What some cells have yielded and remember.
@@ -39,7 +39,7 @@ struct YieldedStrain
 
 // Observes local vertices, which may be ghosts; are_few: few of many, as at receivers. Collective.
 using ObserveVertices =
-  std::function<VertexMotions(std::vector<int> const& vertices, bool are_few)>;
+  std::function<VertexFieldSource(std::vector<int> const& vertices, bool are_few)>;
 
 // What stress in a body follows from; all of it must outlive the registry but for `observe`.
 template <int Dim>

@@ -89,7 +89,7 @@ bool StaticCondensation::findPattern()
   }
   try {
     factor_ = std::make_unique<tnnmg::SchurComplement>(
-      *fem::combine(body.matrices, fem::ofElasticity(body.matrices),
+      *fem::combine(body.matrices, fem::elasticityWeights(body.matrices),
                     fem::HeldDofs(flags, body.numOwnedDofs())),
       kept_);
   } catch (SolveError const&) {
@@ -216,16 +216,16 @@ State StaticCondensation::expand(State const& state) const
   return whole;
 }
 
-State StaticCondensation::gather(State const& whole, Amplitudes const& of) const
+State StaticCondensation::gather(State const& whole, Amplitudes const& boundary_amplitudes) const
 {
-  return gather(whole, model_->body, of);
+  return gather(whole, model_->body, boundary_amplitudes);
 }
 
 State StaticCondensation::gather(State const& whole, Body const& condensed,
-                                 Amplitudes const& of) const
+                                 Amplitudes const& boundary_amplitudes) const
 {
   State state = whole.clone();
-  auto amplitude = of.begin();
+  auto amplitude = boundary_amplitudes.begin();
   State::visitBody(
     [&](FieldInfo const&, auto const& from, auto& to) {
       to = condensed.vector();

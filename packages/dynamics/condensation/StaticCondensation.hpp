@@ -58,7 +58,7 @@ public:
   // also needs the amplitudes: those of a condensed state, or, for a state of a body that has never
   // been condensed, those at its time [s].
   State expand(State const& state) const;
-  State gather(State const& whole, Amplitudes const& of) const;
+  State gather(State const& whole, Amplitudes const& boundary_amplitudes) const;
   Amplitudes amplitudes(State const& state) const;
   Amplitudes amplitudesAt(double time) const;
 
@@ -77,7 +77,8 @@ private:
   std::shared_ptr<const fem::FaultSurface> condensedSurface(fem::HeldDofs const& held) const;
   State condensedState(Body const& body) const;
   ReactionSinceStart condensedReaction(ReactionSinceStart const& of_whole, Body const& body) const;
-  State gather(State const& whole, Body const& condensed, Amplitudes const& of) const;
+  State gather(State const& whole, Body const& condensed,
+               Amplitudes const& boundary_amplitudes) const;
   void gather(Vector const& whole, Vector& x) const; // F alone; s and all other dofs are zero
 
   int numKept() const { return static_cast<int>(kept_.size()); }

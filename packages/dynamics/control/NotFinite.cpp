@@ -24,8 +24,8 @@ bool haveFiniteSquares(ConstNodeView const& values)
 }
 
 // width: values of each index
-std::optional<NotFinite> lookIn(std::string const& quantity, NotFinite::Place place,
-                                ConstNodeView const& values, int width = 1)
+std::optional<NotFinite> searchField(std::string const& quantity, NotFinite::Place place,
+                                     ConstNodeView const& values, int width = 1)
 {
   if (haveFiniteSquares(values)) {
     return std::nullopt;
@@ -39,13 +39,13 @@ std::optional<NotFinite> lookIn(std::string const& quantity, NotFinite::Place pl
                                 : std::nullopt;
 }
 
-std::optional<NotFinite> lookIn(State const& state, bool among_guessed_alone)
+std::optional<NotFinite> searchField(State const& state, bool among_guessed_alone)
 {
   using Place = NotFinite::Place;
   std::optional<NotFinite> found;
   const auto look = [&](FieldInfo const& info, Place place, auto const& field, int width = 1) {
     if (!found && (info.is_guessed || !among_guessed_alone)) {
-      found = lookIn(info.quantity, place, valuesOf(field), width);
+      found = searchField(info.quantity, place, valuesOf(field), width);
     }
   };
   State::visitBody(
@@ -59,13 +59,16 @@ std::optional<NotFinite> lookIn(State const& state, bool among_guessed_alone)
 }
 } // namespace
 
-std::optional<NotFinite> firstNotFinite(State const& state) { return lookIn(state, false); }
+std::optional<NotFinite> firstNotFinite(State const& state) { return searchField(state, false); }
 
-std::optional<NotFinite> firstNotFiniteAtFault(State const& state) { return lookIn(state, true); }
+std::optional<NotFinite> firstNotFiniteAtFault(State const& state)
+{
+  return searchField(state, true);
+}
 
 std::optional<NotFinite> firstNotFinite(std::string const& quantity, RCP<Vector> const& x)
 {
-  return lookIn(quantity, NotFinite::Place::body, valuesOf(x));
+  return searchField(quantity, NotFinite::Place::body, valuesOf(x));
 }
 
 int NotFinite::vertexIn(Body const& body, fem::FaultSurface const& surface) const

@@ -115,7 +115,7 @@ void RichardsonControl::adaptToClock()
 
 AcceptedStep RichardsonControl::advance(State& current, SolveCount& count)
 {
-  if (trialGoesTooFar(current)) {
+  if (trialPassesInstant(current)) {
     memory_.trial.reset();
   }
   auto const left = ticksLeft(current.time);
@@ -167,9 +167,9 @@ AcceptedStep RichardsonControl::secondOfPair(State& current)
 AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
 {
   shorten(clock().finestLevel());
-  auto next = attempt(current, memory_.level, straightFrom(current), count);
+  auto next = attempt(current, memory_.level, constantGuess(current), count);
   if (!next) {
-    giveUp(current, memory_.level);
+    throwStepFailure(current, memory_.level);
   }
   last_.before.reset();
   current = std::move(next->state);
@@ -179,10 +179,10 @@ AcceptedStep RichardsonControl::singleStep(State& current, SolveCount& count)
   return accepted;
 }
 
-Guess RichardsonControl::straightOn(State const& current, double steps) const
+Guess RichardsonControl::extrapolated(State const& current, double steps) const
 {
   if (!last_.before) {
-    return straightFrom(current);
+    return constantGuess(current);
   }
   const double ratio = steps / 2 * std::ldexp(1., last_.level - memory_.level);
   return {1 + ratio, current, *last_.before};
@@ -190,13 +190,13 @@ Guess RichardsonControl::straightOn(State const& current, double steps) const
 
 std::optional<State> RichardsonControl::wholeStep(State const& current, SolveCount& count)
 {
-  auto trial = attemptAtFault(current, memory_.level - 1, straightOn(current, 2), count);
+  auto trial = attemptAtFault(current, memory_.level - 1, extrapolated(current, 2), count);
   return trial ? std::optional<State>(std::move(trial->state)) : std::nullopt;
 }
 
 bool RichardsonControl::isNearStraightLine(State const& current, State const& end) const
 {
-  auto const expected = blend(straightOn(current, 2));
+  auto const expected = blend(extrapolated(current, 2));
   return dynamics::distance(surface(), end.alpha, expected.alpha) <= near;
 }
 
@@ -208,16 +208,16 @@ RichardsonControl::Pair RichardsonControl::pairOf(State const& current,
   Pair pair;
   pair.error = std::numeric_limits<double>::infinity();
   pair.first = attempt(current, memory_.level,
-                       end ? Guess{0.5, *end, current} : straightOn(current, 1), count);
+                       end ? Guess{0.5, *end, current} : extrapolated(current, 1), count);
   if (pair.first) {
     State const& middle = pair.first->state;
     pair.second =
-      attempt(middle, memory_.level, end ? straightFrom(*end) : Guess{2, middle, current}, count);
+      attempt(middle, memory_.level, end ? constantGuess(*end) : Guess{2, middle, current}, count);
   }
   if (whole && pair.second) {
     State const& last = pair.second->state;
     pair.error = std::max(distance(*whole, last, settings_.norm) / extrapolation_,
-                          waves_.of(current, last, clock().stepSize(memory_.level)));
+                          waves_.errorBetween(current, last, clock().stepSize(memory_.level)));
   }
   return pair;
 }
@@ -235,7 +235,7 @@ RichardsonControl::Pair RichardsonControl::acceptablePair(State const& current, 
       return pair;
     }
     if (finest) {
-      giveUp(current, memory_.level);
+      throwStepFailure(current, memory_.level);
     }
     // The first step of the pair is the whole step of the next smaller one.
     ++memory_.level;

@@ -53,7 +53,7 @@ private:
   };
   // The straight line from the beginning of the last pair through `current`, extended by `steps`
   // steps of level memory_.level.
-  Guess straightOn(State const& current, double steps) const;
+  Guess extrapolated(State const& current, double steps) const;
   // One step from the present state to the end of a pair of steps of level memory_.level, at the
   // fault alone.
   std::optional<State> wholeStep(State const& current, SolveCount& count);

@@ -121,9 +121,9 @@ Trial StepControl::complete(State const& from, FaultTrial&& trial)
 AcceptedStep StepControl::makeStep(State& current, int level, SolveCount& count)
 {
   memory_.level = std::max(level, clock().levelWithin(ticksLeft(current.time)));
-  auto next = attempt(current, memory_.level, straightFrom(current), count);
+  auto next = attempt(current, memory_.level, constantGuess(current), count);
   if (!next) {
-    giveUp(current, memory_.level);
+    throwStepFailure(current, memory_.level);
   }
   current = std::move(next->state);
   ++memory_.num_steps;
@@ -133,7 +133,7 @@ AcceptedStep StepControl::makeStep(State& current, int level, SolveCount& count)
   return accepted;
 }
 
-void StepControl::giveUp(State const& from, int level) const
+void StepControl::throwStepFailure(State const& from, int level) const
 {
   std::ostringstream lost; // of the lowest rank that has a value that is not finite
   onEveryRank(*surface().communicator(), [&] {
@@ -169,7 +169,7 @@ DyadicTime::Ticks StepControl::ticksLeft(DyadicTime::Ticks time) const
   return next == instants_.end() ? std::numeric_limits<DyadicTime::Ticks>::max() : *next - time;
 }
 
-bool StepControl::trialGoesTooFar(State const& current) const
+bool StepControl::trialPassesInstant(State const& current) const
 {
   return memory_.trial && memory_.trial->state.time - current.time > ticksLeft(current.time);
 }

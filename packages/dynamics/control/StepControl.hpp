@@ -19,7 +19,7 @@ struct Guess
   State const& a;
   State const& b;
 };
-inline Guess straightFrom(State const& state) { return {1, state, state}; }
+inline Guess constantGuess(State const& state) { return {1, state, state}; }
 // A state with these, whose other values are not set.
 State blend(Guess const& guess);
 
@@ -113,12 +113,12 @@ protected:
   double distance(State const& a, State const& b, Norm norm);
   DyadicTime const& clock() const { return step_.clock(); }
   fem::FaultSurface const& surface() const { return step_.surface(); }
-  [[noreturn]] void giveUp(State const& from, int level) const;
+  [[noreturn]] void throwStepFailure(State const& from, int level) const;
 
   // The ticks from a time to the next instant; more than any step has if there is none.
   DyadicTime::Ticks ticksLeft(DyadicTime::Ticks time) const;
   // Whether there is a trial and it ends after the next instant.
-  bool trialGoesTooFar(State const& current) const;
+  bool trialPassesInstant(State const& current) const;
   // Raises the level to `level` if it is lower (larger steps), and remembers the earlier level.
   void shorten(int level);
   // If a step that was cut short to level_before had to be refined further, the size of before is

@@ -52,10 +52,10 @@ StepDoubling::StepDoubling(CoupledStep& step, AdaptiveSettings const& settings)
 void StepDoubling::findTrial(State const& current, SolveCount& count)
 {
   while (!memory_.trial) {
-    memory_.trial = attempt(current, memory_.level, straightFrom(current), count);
+    memory_.trial = attempt(current, memory_.level, constantGuess(current), count);
     if (!memory_.trial) {
       if (memory_.level >= settings_.finest_level) {
-        giveUp(current, memory_.level);
+        throwStepFailure(current, memory_.level);
       }
       ++memory_.level;
     }
@@ -64,7 +64,7 @@ void StepDoubling::findTrial(State const& current, SolveCount& count)
 
 AcceptedStep StepDoubling::advance(State& current, SolveCount& count)
 {
-  if (trialGoesTooFar(current)) {
+  if (trialPassesInstant(current)) {
     memory_.trial.reset();
   }
   shorten(clock().levelWithin(ticksLeft(current.time)));
@@ -102,13 +102,13 @@ bool StepDoubling::coarsen(State const& current, std::optional<Trial>& next, dou
     if (!next) {
       break;
     }
-    auto doubled = attemptAtFault(current, memory_.level - 1, straightFrom(next->state), count);
+    auto doubled = attemptAtFault(current, memory_.level - 1, constantGuess(next->state), count);
     if (!doubled) {
       break;
     }
     const double difference =
       std::max(distance(doubled->state, next->state, settings_.norm),
-               waves_.of(current, next->state, clock().stepSize(memory_.level - 1)));
+               waves_.errorBetween(current, next->state, clock().stepSize(memory_.level - 1)));
     if (!(difference <= settings_.tolerance)) {
       break;
     }
@@ -129,11 +129,11 @@ bool StepDoubling::refine(State const& current, std::optional<Trial>& next, doub
   while (memory_.level < settings_.finest_level) {
     State const& end = memory_.trial->state;
     auto first = attempt(current, memory_.level + 1, {0.5, end, current}, count);
-    auto second = first ? attemptAtFault(first->state, memory_.level + 1, straightFrom(end), count)
+    auto second = first ? attemptAtFault(first->state, memory_.level + 1, constantGuess(end), count)
                         : std::nullopt;
     if (second) {
       error = std::max(distance(end, second->state, settings_.norm),
-                       waves_.of(current, end, clock().stepSize(memory_.level)));
+                       waves_.errorBetween(current, end, clock().stepSize(memory_.level)));
       if (error <= settings_.tolerance) {
         return true;
       }

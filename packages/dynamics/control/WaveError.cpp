@@ -23,7 +23,7 @@ WaveError::WaveError(Body const& body, fem::FaultSurface const& surface, RateUpd
   }
 }
 
-double WaveError::of(State const& from, State const& to, double tau) const
+double WaveError::errorBetween(State const& from, State const& to, double tau) const
 {
   if (e_.is_null()) {
     return 0;

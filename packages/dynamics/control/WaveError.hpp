@@ -32,7 +32,7 @@ public:
 
   // weight c_s |e| / S of steps of tau [s] that lead from one state to the other; 0 in a body
   // without mass. Collective.
-  double of(State const& from, State const& to, double tau) const;
+  double errorBetween(State const& from, State const& to, double tau) const;
 
 private:
   Body const& body_;

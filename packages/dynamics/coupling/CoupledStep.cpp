@@ -78,7 +78,7 @@ void SolveCount::add(tnnmg::TnnmgResult const& result)
   corrections += result.corrections;
   correction_iterations += result.correction_iterations;
   v_cycles += result.v_cycles;
-  rises += result.rises;
+  energy_increases += result.energy_increases;
 }
 
 SolveCount SolveCount::since(SolveCount const& before) const
@@ -99,7 +99,7 @@ std::array<SolveCount::Member, 8> const& SolveCount::members()
      {"corrections", &SolveCount::corrections},
      {"correction_iterations", &SolveCount::correction_iterations},
      {"v_cycles", &SolveCount::v_cycles},
-     {"rises", &SolveCount::rises},
+     {"rises", &SolveCount::energy_increases},
      {"failures", &SolveCount::failures}}};
   return all;
 }
@@ -149,12 +149,13 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , a_hat_(body.vector())
     , work_u_(body.vector())
     , work_a_(body.vector())
-    , guess_(body.vector())
+    , w_(body.vector())
     , work_v_(body.vector())
     , work_d_(body.branchVectors())
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
     , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
-    , beside_("asperity::dynamics::prescribedBeside", surface().numNodes(), surface().numTangents())
+    , prescribed_part_("asperity::dynamics::prescribedBeside", surface().numNodes(),
+                       surface().numTangents())
     , V_("asperity::dynamics::V", surface().numNodes())
 {
 }
@@ -167,7 +168,7 @@ void CoupledStep::evaluateLoads(double t0, double t1)
   onEveryRank(*surface().communicator(), [&] {
     unknowns_.evaluate(t0, t1);
     body_.prescribed_velocity(t1, *prescribed_);
-    slips_beside_ = prescribedBesideSliding(surface(), *prescribed_, beside_);
+    has_prescribed_part_ = gatherPrescribedPart(surface(), *prescribed_, prescribed_part_);
     setZeroSlipRate(surface(), *prescribed_);
     body_.load(t1, *b_);
   });
@@ -222,10 +223,10 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   beginUnknowns(from, tau, to);
   rightSide(from, tau, to);
 
-  guess_->update(1, *to.v, -1, *prescribed_, 0);
-  body_.clearHeld(*guess_);
+  w_->update(1, *to.v, -1, *prescribed_, 0);
+  body_.clearHeld(*w_);
   auto& solver = solvers_.at(level);
-  solver.begin(*b_, *guess_);
+  solver.begin(*b_, *w_);
   update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
   gatherSlip(surface(), *work_u_, mean_offset_);
 
@@ -235,8 +236,8 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
     ++count.failures;
     return result;
   }
-  solver.knownVelocity(*guess_);
-  to.v->update(1, *guess_, 1, *prescribed_, 0);
+  solver.knownVelocity(*w_);
+  to.v->update(1, *w_, 1, *prescribed_, 0);
   result.rest = PendingStep{level, num_begun_};
   return result;
 }
@@ -272,11 +273,11 @@ void CoupledStep::meanSlipRate(RateSolver& solver)
   slipRate(surface(), mean_, V_);
 }
 
-// At the end of the step, from the velocity of the body, with which it leaves guess_.
+// At the end of the step, from the velocity of the body, with which it leaves w_.
 Vector const& CoupledStep::displacement(RateSolver const& solver, double tau)
 {
-  solver.velocity(*guess_);
-  work_v_->update(1, *guess_, 1, *prescribed_, 0);
+  solver.velocity(*w_);
+  work_v_->update(1, *w_, 1, *prescribed_, 0);
   update_.withVelocity(*work_v_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
   return *work_u_;
 }
@@ -292,7 +293,8 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
   while (converged || result.iterations < settings_.max_iterations) {
     auto const given = given_.at(to);
     const FrictionProblem friction = {fault_.friction(), given}; // of the whole slip rate
-    FrictionProblem const problem = slips_beside_ ? friction.beside(beside_) : friction; // of w
+    FrictionProblem const problem =
+      has_prescribed_part_ ? friction.withPrescribed(prescribed_part_) : friction; // of w
     result.iterations += converged ? 0 : 1;
     count.rate_problems += converged ? 0 : 1;
     auto const rate = converged ? solver.solve(problem) : solver.improve(problem);
@@ -303,10 +305,10 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     }
     meanSlipRate(solver);
     StepIterate now = {from, tau, mean_, V_, solver, friction, to};
-    double change = unknowns_.ask(FollowsFrom::fault, now, settings_.norm);
-    if (unknowns_.bodyIsWorthAsking(change, rate.converged, settings_.tolerance)) {
+    double change = unknowns_.updateImages(FollowsFrom::fault, now, settings_.norm);
+    if (unknowns_.bodyIsDue(change, rate.converged, settings_.tolerance)) {
       now.u_in_body = &displacement(solver, tau);
-      const double in_body = unknowns_.ask(FollowsFrom::body, now, settings_.norm);
+      const double in_body = unknowns_.updateImages(FollowsFrom::body, now, settings_.norm);
       change = in_body <= change ? change : in_body; // which may be nan
     }
     if (!std::isfinite(change)) {
@@ -322,10 +324,10 @@ CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& so
     }
     if (!converged && unknowns_.advance(to)) {
       setRightSide(to);
-      if (now.u_in_body == nullptr) { // else displacement() has left it in guess_
-        solver.velocity(*guess_);
+      if (now.u_in_body == nullptr) { // else displacement() has left it in w_
+        solver.velocity(*w_);
       }
-      solver.begin(*b_, *guess_);
+      solver.begin(*b_, *w_);
     }
   }
   result.status = StepStatus::fixed_point_failed;

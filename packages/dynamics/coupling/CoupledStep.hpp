@@ -32,8 +32,8 @@ struct SolveCount
   std::int64_t corrections = 0;
   std::int64_t correction_iterations = 0;
   std::int64_t v_cycles = 0;
-  std::int64_t rises = 0;    // of J, see Tnnmg
-  std::int64_t failures = 0; // coupled steps without a solution
+  std::int64_t energy_increases = 0; // of J, see Tnnmg
+  std::int64_t failures = 0;         // coupled steps without a solution
 
   void add(tnnmg::TnnmgResult const& result);
   SolveCount since(SolveCount const& before) const;
@@ -154,13 +154,13 @@ private:
   BodyForces forces_;
   std::int64_t num_begun_ = 0;     // steps, to tell which one may be completed
   RCP<Vector> b_without_unknowns_; // null if none adds forces
-  RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, guess_, work_v_;
+  RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, w_, work_v_;
   std::vector<RCP<Vector>> work_d_;
   // The part of the mean velocity that follows from the past and from prescribed velocities; the
   // mean velocity itself.
   BlockView mean_offset_, mean_;
-  BlockView beside_;          // prescribedBesideSliding at the end of the step
-  bool slips_beside_ = false; // whether it has any
+  BlockView prescribed_part_;        // gatherPrescribedPart at the end of the step
+  bool has_prescribed_part_ = false; // whether it has any
   NodeView V_;
 };
 } // namespace asperity::dynamics

@@ -19,7 +19,7 @@ public:
 
   // The problem for the unknowns alone, where their held components rest but `prescribed`
   // (num_nodes, T) is added to what friction depends on.
-  FrictionProblem beside(ConstBlockView const& prescribed) const
+  FrictionProblem withPrescribed(ConstBlockView const& prescribed) const
   {
     return {kernels_, {at_.alpha, at_.sigma_n, prescribed}};
   }

@@ -51,7 +51,7 @@ int InelasticUpdate::respond(StepIterate const& step, NodeView const& image)
 
 void InelasticUpdate::finish(ConstNodeView const& image, State const& to) const
 {
-  Kokkos::deep_copy(of(to), image);
+  Kokkos::deep_copy(valuesIn(to), image);
   Kokkos::deep_copy(to.inelastic->shear, image_.shear);
   Kokkos::deep_copy(to.inelastic->history, image_.history);
 }

@@ -30,7 +30,10 @@ class InelasticUpdate final : public StepUnknown
 public:
   explicit InelasticUpdate(fem::InelasticCells const& cells); // which must outlive this
 
-  NodeView of(State const& state) const override { return overwritten(state.inelastic->strain); }
+  NodeView valuesIn(State const& state) const override
+  {
+    return overwritten(state.inelastic->strain);
+  }
   FollowsFrom followsFrom() const override { return FollowsFrom::body; }
   UnknownSpace const* space() const override { return &space_; }
   bool addsForces() const override { return true; }

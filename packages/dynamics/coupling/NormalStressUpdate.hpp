@@ -15,7 +15,7 @@ public:
   // outlive this.
   NormalStressUpdate(Body const& body, Fault const& fault, ReactionSinceStart const& since_start);
 
-  NodeView of(State const& state) const override { return state.sigma_n; }
+  NodeView valuesIn(State const& state) const override { return state.sigma_n; }
   FollowsFrom followsFrom() const override
   {
     return coupled() ? FollowsFrom::fault : FollowsFrom::start;

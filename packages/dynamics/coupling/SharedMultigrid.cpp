@@ -17,15 +17,16 @@ std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool 
       return fem::combine(body.matrices, weights, body.held);
     };
   };
-  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {term(fem::ofElasticity(body.matrices))};
+  std::vector<tnnmg::MultigridTerms::MatrixSource> terms = {
+    term(fem::elasticityWeights(body.matrices))};
   if (has_mass) {
-    terms.emplace_back(term(fem::ofMass()));
+    terms.emplace_back(term(fem::massWeights()));
   }
   if (has_viscosity) {
-    terms.emplace_back(term(fem::ofViscosity()));
+    terms.emplace_back(term(fem::viscosityWeights()));
   }
   for (std::size_t k = 0; k < body.matrices.branches.size(); ++k) {
-    terms.emplace_back(term(fem::ofBranch(body.matrices, k)));
+    terms.emplace_back(term(fem::branchWeights(body.matrices, k)));
   }
   return terms;
 }

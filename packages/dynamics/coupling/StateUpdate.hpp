@@ -20,7 +20,7 @@ class StateUpdate final : public StepUnknown
 public:
   explicit StateUpdate(Fault const& fault); // which must outlive this
 
-  NodeView of(State const& state) const override { return state.alpha; }
+  NodeView valuesIn(State const& state) const override { return state.alpha; }
   void begin(StepStart const& start) override;
   int respond(StepIterate const& step, NodeView const& image) override;
   bool endsWithImage() const override { return true; }

@@ -71,7 +71,7 @@ class StepUnknown
 public:
   virtual ~StepUnknown() = default;
 
-  virtual NodeView of(State const& state) const = 0;
+  virtual NodeView valuesIn(State const& state) const = 0;
   virtual FollowsFrom followsFrom() const { return FollowsFrom::fault; }
   // Null: the nodes of the fault. Otherwise it lives as long as the unknown.
   virtual UnknownSpace const* space() const { return nullptr; }
@@ -112,7 +112,7 @@ public:
   virtual void finish(ConstNodeView const& image, State const& to) const
   {
     if (endsWithImage()) {
-      Kokkos::deep_copy(of(to), image);
+      Kokkos::deep_copy(valuesIn(to), image);
     }
   }
   // Sets fields of `to` that follow from the unknowns, at the end of the step of tau [s] that has
@@ -129,9 +129,9 @@ public:
   using Set = std::function<void(StepStart const&, NodeView const& values)>;
   KnownField(std::string name, Set set) : name_(std::move(name)), set_(std::move(set)) {}
 
-  NodeView of(State const& state) const override { return state.at(name_); }
+  NodeView valuesIn(State const& state) const override { return state.at(name_); }
   FollowsFrom followsFrom() const override { return FollowsFrom::start; }
-  void begin(StepStart const& start) override { set_(start, of(start.to)); }
+  void begin(StepStart const& start) override { set_(start, valuesIn(start.to)); }
   int respond(StepIterate const&, NodeView const&) override { return 0; }
 
 private:

@@ -60,18 +60,18 @@ NodeView StepUnknowns::Group::part(NodeView const& all, std::size_t entry) const
 void StepUnknowns::Group::begin()
 {
   acceleration.reset();
-  is_asked = false;
+  is_updated = false;
   change = ratio = 0;
   last_advanced = std::numeric_limits<double>::infinity();
 }
 
-double StepUnknowns::Group::ask(StepIterate const& step, Norm norm)
+double StepUnknowns::Group::updateImages(StepIterate const& step, Norm norm)
 {
   double now = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     auto& [unknown, image] = entries[i];
     const int failures = unknown->respond(step, image);
-    multiply(unknown->of(step.to), unknown->scale(), part(x, i));
+    multiply(unknown->valuesIn(step.to), unknown->scale(), part(x, i));
     multiply(image, unknown->scale(), part(images, i));
     if (failures > 0) { // so that all ranks find no finite distance
       Kokkos::deep_copy(part(images, i), std::numeric_limits<double>::infinity());
@@ -80,7 +80,7 @@ double StepUnknowns::Group::ask(StepIterate const& step, Norm norm)
   }
   ratio = change > 0 ? now / change : 0;
   change = now;
-  is_asked = true;
+  is_updated = true;
   return now;
 }
 
@@ -94,7 +94,7 @@ bool StepUnknowns::Group::advance(State const& to)
   bool forces_change = false;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     auto const& unknown = *entries[i].unknown;
-    auto const values = unknown.of(to);
+    auto const values = unknown.valuesIn(to);
     divide(part(x, i), unknown.scale(), values);
     unknown.limit(values);
     forces_change |= unknown.addsForces();
@@ -107,8 +107,8 @@ double StepUnknowns::Group::distance(State const& a, State const& b, Norm norm) 
   double largest = 0;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     auto const& unknown = *entries[i].unknown;
-    multiply(unknown.of(a), unknown.scale(), part(x, i));
-    multiply(unknown.of(b), unknown.scale(), part(images, i));
+    multiply(unknown.valuesIn(a), unknown.scale(), part(x, i));
+    multiply(unknown.valuesIn(b), unknown.scale(), part(images, i));
     largest = largerOrNotFinite(space.distance(part(x, i), part(images, i), norm), largest);
   }
   return largest;
@@ -148,13 +148,13 @@ bool StepUnknowns::addForces() const
 
 std::shared_ptr<const NormalReaction> StepUnknowns::reaction() const
 {
-  std::shared_ptr<const NormalReaction> asked;
+  std::shared_ptr<const NormalReaction> needed;
   for (auto const& unknown : unknowns_) {
     auto const reaction = unknown->reaction();
-    ASPERITY_ASSERT(!reaction || !asked || reaction == asked); // solvers know one
-    asked = reaction ? reaction : asked;
+    ASPERITY_ASSERT(!reaction || !needed || reaction == needed); // solvers know one
+    needed = reaction ? reaction : needed;
   }
-  return asked;
+  return needed;
 }
 
 void StepUnknowns::evaluate(double t0, double t1) const
@@ -190,20 +190,20 @@ void StepUnknowns::setRightSide(Vector const& b) const
   }
 }
 
-double StepUnknowns::ask(FollowsFrom motion, StepIterate const& step, Norm norm)
+double StepUnknowns::updateImages(FollowsFrom motion, StepIterate const& step, Norm norm)
 {
   double largest = 0;
   for (auto& group : groups_) {
     if (group.motion == motion) {
-      largest = largerOrNotFinite(group.ask(step, norm), largest);
+      largest = largerOrNotFinite(group.updateImages(step, norm), largest);
     } else if (motion == FollowsFrom::fault) {
-      group.is_asked = false;
+      group.is_updated = false;
     }
   }
   return largest;
 }
 
-bool StepUnknowns::bodyIsWorthAsking(double of_fault, bool rate_converged, double tolerance) const
+bool StepUnknowns::bodyIsDue(double of_fault, bool rate_converged, double tolerance) const
 {
   const bool fault_converged = rate_converged && of_fault <= tolerance;
   return std::any_of(groups_.begin(), groups_.end(), [&](Group const& group) {
@@ -217,7 +217,7 @@ bool StepUnknowns::advance(State const& to)
 {
   bool forces_change = false;
   for (auto& group : groups_) {
-    if (group.is_asked) {
+    if (group.is_updated) {
       forces_change |= group.advance(to);
     }
   }
@@ -244,7 +244,7 @@ void StepUnknowns::copyImages(State const& to) const
 {
   for (auto const& group : groups_) {
     for (auto const& [unknown, image] : group.entries) {
-      Kokkos::deep_copy(unknown->of(to), image);
+      Kokkos::deep_copy(unknown->valuesIn(to), image);
     }
   }
 }

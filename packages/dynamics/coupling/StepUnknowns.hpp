@@ -34,10 +34,10 @@ public:
   // Returns how far images are from iterates, |g(x) - x|, the largest of those computed; not finite
   // if a value is not or an unknown has none at some place, on any rank. Those of the fault come
   // first. Collective.
-  double ask(FollowsFrom motion, StepIterate const& step, Norm norm);
+  double updateImages(FollowsFrom motion, StepIterate const& step, Norm norm);
   // Whether the images of those that follow from the body are due, too, when those of the fault
   // have changed by of_fault and the rate problem is solved or not.
-  bool bodyIsWorthAsking(double of_fault, bool rate_converged, double tolerance) const;
+  bool bodyIsDue(double of_fault, bool rate_converged, double tolerance) const;
   // The next iterates in `to` of those whose images are new. Where these change more than before
   // the last advance, the remembered iterates point away from the fixed point and are forgotten.
   // Returns whether forces change with them. Collective.
@@ -83,7 +83,7 @@ private:
     void add(std::shared_ptr<StepUnknown> unknown);
     NodeView part(NodeView const& all, std::size_t entry) const;
     void begin();
-    double ask(StepIterate const& step, Norm norm);
+    double updateImages(StepIterate const& step, Norm norm);
     bool advance(State const& to);
     double distance(State const& a, State const& b, Norm norm) const;
 
@@ -91,10 +91,10 @@ private:
     FollowsFrom motion;
     AndersonAcceleration acceleration;
     std::vector<Entry> entries;
-    NodeView x, images;    // (num_unknowns num_values)
-    bool is_asked = false; // in this iteration
-    double change = 0;     // of the last images in this step; 0 before
-    double ratio = 0;      // of this change to that before it; 0 until there are two
+    NodeView x, images;      // (num_unknowns num_values)
+    bool is_updated = false; // in this iteration
+    double change = 0;       // of the last images in this step; 0 before
+    double ratio = 0;        // of this change to that before it; 0 until there are two
     double last_advanced = std::numeric_limits<double>::infinity(); // the change before that
   };
 

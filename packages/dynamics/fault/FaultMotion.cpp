@@ -57,8 +57,8 @@ void dropRounding(fem::FaultSurface const& surface, BlockView const& w)
 }
 } // namespace
 
-bool prescribedBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
-                             BlockView const& blocks)
+bool gatherPrescribedPart(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
+                          BlockView const& blocks)
 {
   // By rounding, a plate rate along a wall has components across the wall of up to this share.
   constexpr double rounding = 1e-9;
@@ -72,7 +72,7 @@ bool prescribedBesideSliding(fem::FaultSurface const& surface, Vector const& pre
   const int size = surface.numTangents();
   int num_found = 0;
   Kokkos::parallel_reduce(
-    "asperity::dynamics::prescribedBesideSliding", RangePolicy(0, surface.numNodes()),
+    "asperity::dynamics::gatherPrescribedPart", RangePolicy(0, surface.numNodes()),
     KOKKOS_LAMBDA(int node, int& count) {
       const double of_plates = plates ? motionOfPlates(rates, node, size, factor) : 0;
       for (int k = 0; k < size; ++k) {

@@ -61,6 +61,6 @@ double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstN
 // ones, with prescribed_velocity(owned dofs): blocks(num_nodes, T), zero elsewhere. Friction at
 // such a node depends on it, too (friction::StateAndStress::prescribed). Returns whether this rank
 // has any.
-bool prescribedBesideSliding(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
-                             BlockView const& blocks);
+bool gatherPrescribedPart(fem::FaultSurface const& surface, Vector const& prescribed_velocity,
+                          BlockView const& blocks);
 } // namespace asperity::dynamics

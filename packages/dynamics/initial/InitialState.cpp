@@ -88,8 +88,8 @@ RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
     RateSolverSettings mass_settings = settings;
     mass_settings.tnnmg.absolute_tolerance = 0;
     mass_settings.tnnmg.relative_tolerance = 1e-12;
-    auto const solver = makeRateSolver(fem::combine(body.matrices, fem::ofMass(), body.held), body,
-                                       surface, mass_settings);
+    auto const solver = makeRateSolver(fem::combine(body.matrices, fem::massWeights(), body.held),
+                                       body, surface, mass_settings);
     solver->begin(*b, *a);
     auto const kernels = fault.frictionWith(forces.strength);
     const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());

@@ -42,7 +42,7 @@ std::unique_ptr<tnnmg::MultigridCorrection> makeMultigrid(RCP<const CrsMatrix> c
 
 StaticSolver::StaticSolver(Body body, RateSolverSettings const& settings)
     : body_(std::move(body))
-    , K_(fem::combine(body_.matrices, fem::ofElasticity(body_.matrices), body_.held))
+    , K_(fem::combine(body_.matrices, fem::elasticityWeights(body_.matrices), body_.held))
 {
   if (settings.correction == Correction::direct) {
     factor_ = std::make_unique<tnnmg::SchurComplement>(*K_, std::vector<int>());

@@ -199,7 +199,7 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   body_.computeForces(state.motion(), result.resisting, momentum_.get());
   result.elastic = 0.5 * result.resisting.elastic->dot(*state.u);
   for (std::size_t k = 0; k < result.d.size(); ++k) {
-    auto const& f = *result.resisting.of_branches[k];
+    auto const& f = *result.resisting.branch_forces[k];
     result.elastic += 0.5 * (f.dot(*state.branches[k]) - f.dot(*state.u));
     Tpetra::deep_copy(*result.d[k], *state.branches[k]);
   }
@@ -311,7 +311,7 @@ EnergyBalance::Works EnergyBalance::worksOfStep() const
   works.viscous = sumOfAll(num_dofs, during(*then.viscous, *now.viscous));
   works.inertial = sumOfAll(num_dofs, during(*then.inertial, *now.inertial));
   for (std::size_t k = 0; k < before_.d.size(); ++k) {
-    auto const &f0 = *then.of_branches[k], &f1 = *now.of_branches[k];
+    auto const &f0 = *then.branch_forces[k], &f1 = *now.branch_forces[k];
     works.viscous += sumOfAll(num_dofs, during(f0, f1)) -
                      sumOfAll(num_dofs, ForceOfStep{reading(*before_.d[k]), reading(*after_.d[k]),
                                                     reading(f0), reading(f1)});

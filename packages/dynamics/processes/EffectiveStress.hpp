@@ -5,7 +5,7 @@
 namespace asperity::dynamics
 {
 // sigma_n := max(sigma_n - p, 0), (num_nodes) [Pa]: what a pressure in the fault leaves friction.
-inline void relieve(NodeView const& sigma_n, ConstNodeView const& p)
+inline void subtractPressure(NodeView const& sigma_n, ConstNodeView const& p)
 {
   Kokkos::parallel_for(
     "asperity::dynamics::effectiveStress", RangePolicy(0, sigma_n.extent_int(0)),

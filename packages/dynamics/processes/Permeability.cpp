@@ -74,10 +74,10 @@ public:
     scale_ = toDevice(scale, "asperity::dynamics::perPermeability");
   }
 
-  NodeView of(State const& state) const override { return state.at(evolved_name); }
+  NodeView valuesIn(State const& state) const override { return state.at(evolved_name); }
   int respond(StepIterate const& step, NodeView const& image) override
   {
-    flow(law_, of(step.from), step.slip_rate, step.tau, image);
+    flow(law_, valuesIn(step.from), step.slip_rate, step.tau, image);
     return 0;
   }
   ConstNodeView scale() const override { return scale_; }
@@ -88,7 +88,7 @@ public:
   {
     gatherSlip(surface_, *state.v, velocity_);
     slipRate(surface_, velocity_, V_);
-    flow(law_, of(state), V_, tau, ahead_);
+    flow(law_, valuesIn(state), V_, tau, ahead_);
     return ahead_;
   }
 

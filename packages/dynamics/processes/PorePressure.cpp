@@ -141,7 +141,7 @@ public:
 
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
-    relieve(sigma_n, state.at(field_name));
+    subtractPressure(sigma_n, state.at(field_name));
   }
 
 private:

@@ -52,19 +52,19 @@ public:
   // (num_nodes), valid until the next call or step.
   ConstNodeView effective(State const& state) const { return after_.at(state).sigma_n; }
 
-  NodeView of(State const& state) const override { return state.at(regularised_stress); }
+  NodeView valuesIn(State const& state) const override { return state.at(regularised_stress); }
   void begin(StepStart const& start) override
   {
     effective_before_ = before_.at(start.from).sigma_n;
-    setScaleOfStress(of(start.from), surface_, scale_);
-    limit(of(start.to));
+    setScaleOfStress(valuesIn(start.from), surface_, scale_);
+    limit(valuesIn(start.to));
   }
   int respond(StepIterate const& step, NodeView const& image) override
   {
     ASPERITY_TIME_WORK("normal stress");
     Kokkos::parallel_for("asperity::dynamics::regularise", RangePolicy(0, image.extent_int(0)),
                          Follow{per_slip_, per_time_, step.slip_rate, effective_before_,
-                                effective(step.to), of(step.from), step.tau, image});
+                                effective(step.to), valuesIn(step.from), step.tau, image});
     return 0;
   }
   // Extrapolation and guesses may lead below zero.

@@ -107,7 +107,7 @@ public:
     slides_ = toDevice(slides, "asperity::dynamics::slides");
   }
 
-  NodeView of(State const& state) const override { return pressureOf(state); }
+  NodeView valuesIn(State const& state) const override { return pressureOf(state); }
   void begin(StepStart const& start) override
   {
     ASPERITY_TIME_WORK("thermal pressurisation");
@@ -123,8 +123,8 @@ public:
     step.friction.linearise(velocity_, after_, hessian_, kinked_);
     Kokkos::parallel_for("asperity::dynamics::balancePressure", RangePolicy(0, image.extent_int(0)),
                          Balance{slides_, weights_, slip_factors_, step.mean_velocity, before_,
-                                 after_, rest_, per_heat_, step.to.sigma_n, of(step.to), image,
-                                 heat_});
+                                 after_, rest_, per_heat_, step.to.sigma_n, valuesIn(step.to),
+                                 image, heat_});
     return 0;
   }
   // Modes that follow from the pressure before the step need the pressure that follows from them.
@@ -217,7 +217,7 @@ public:
   std::vector<std::shared_ptr<StepUnknown>> unknowns() const override { return {unknown_}; }
   void act(State const& state, NodeView const&, NodeView const& sigma_n) const override
   {
-    relieve(sigma_n, unknown_->of(state));
+    subtractPressure(sigma_n, unknown_->valuesIn(state));
   }
 
 private:

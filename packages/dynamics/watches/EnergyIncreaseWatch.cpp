@@ -11,10 +11,10 @@ void EnergyIncreaseWatch::note(WatchedState const& now, Notes& notes)
 
 std::optional<Warning> EnergyIncreaseWatch::note(std::int64_t count)
 {
-  if (count < to_tell_) {
+  if (count < next_warning_) {
     return std::nullopt;
   }
-  to_tell_ = 10 * count;
+  next_warning_ = 10 * count;
   return Warning{
     "energy increase",
     "J grew in " + std::to_string(count) +

@@ -19,6 +19,6 @@ public:
   std::optional<Warning> note(std::int64_t count);
 
 private:
-  std::int64_t to_tell_ = 1;
+  std::int64_t next_warning_ = 1;
 };
 } // namespace asperity::dynamics

@@ -88,9 +88,9 @@ std::optional<Warning> GrowthWatch::note(Step const& step)
     return noteSlowSlip(step);
   }
   auto& count = isForced(step) ? memory_.forced : memory_.others;
-  told_ = describe(step, ++count);
+  last_description_ = describe(step, ++count);
   return isPowerOfTen(count) || count == most_
-           ? std::optional<Warning>({"hidden growth", told_ + "."})
+           ? std::optional<Warning>({"hidden growth", last_description_ + "."})
            : std::nullopt;
 }
 
@@ -132,9 +132,10 @@ void GrowthWatch::note(WatchedState const& now, Notes& notes)
 {
   if (now.step && slow_) {
     auto const& communicator = *slow_->fault.surface().communicator();
-    notes.add(note({now.step->is_forced, now.time, now.step->size, now.step->rate_before,
-                    now.sample.peakSlipRate(),
-                    slow_->slip.of(now.sample.slipRates(), now.step->size, communicator)}));
+    notes.add(
+      note({now.step->is_forced, now.time, now.step->size, now.step->rate_before,
+            now.sample.peakSlipRate(),
+            slow_->slip.largestRatio(now.sample.slipRates(), now.step->size, communicator)}));
   }
 }
 
@@ -163,15 +164,15 @@ void GrowthWatch::restore(Archive const& archive, Restart const& restart)
   }
 }
 
-void GrowthWatch::requireUse() const
+void GrowthWatch::requireUsefulRun() const
 {
   for (const bool is_forced : {true, false}) {
     const auto count = is_forced ? memory_.forced : memory_.others;
     if (most_ == 0 || count < most_) {
       continue;
     }
-    auto const text = !told_.empty()
-                        ? told_
+    auto const text = !last_description_.empty()
+                        ? last_description_
                         : std::to_string(count) + (count == 1 ? " step" : " steps") +
                             " before this restart hid a growing slip rate: earthquakes may "
                             "be lost. Choose " +

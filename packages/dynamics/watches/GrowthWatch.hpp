@@ -38,14 +38,14 @@ public:
     double step_size = 0;   // [s]
     double rate_before = 0; // peak slip rate [m/s]
     double rate = 0;        // the same at its end
-    double slow_slip = 0;   // SlowSlip::of [-]
+    double slow_slip = 0;   // SlowSlip::largestRatio [-]
   };
   // Returns a warning for the 1st, 10th, 100th, ... step that hides growth, and for number `most`.
   std::optional<Warning> note(Step const& step);
   // Looks at nothing where no state of the fault decides: prescribed slip rates may grow.
   void note(WatchedState const& now, Notes& notes) override;
   // Throws LostEarthquakes if `most` steps of one kind have hidden growth.
-  void requireUse() const override;
+  void requireUsefulRun() const override;
 
   void save(Archive& archive) const override;
   // Counts go on, so that restarts do not escape the limits. What has been cured is counted anew:
@@ -81,6 +81,6 @@ private:
   std::int64_t most_;
   bool is_prescribed_;
   Memory memory_;
-  std::string told_; // of the last step that hid growth, without a full stop
+  std::string last_description_; // of the last step that hid growth, without a full stop
 };
 } // namespace asperity::dynamics

@@ -28,10 +28,10 @@ std::optional<Warning> RingWatch::note(double time, double rate)
   turns_ = direction == 0 ? 0 : direction == -direction_ ? turns_ + 1 : 1;
   rate_ = rate;
   direction_ = direction;
-  if (turns_ < to_tell_) {
+  if (turns_ < next_warning_) {
     return std::nullopt;
   }
-  to_tell_ *= 10;
+  next_warning_ *= 10;
   return Warning{"ringing",
                  "The slip rate rings: in " + std::to_string(turns_) +
                    " steps in a row, the last one to t = " + formatShort(time) +

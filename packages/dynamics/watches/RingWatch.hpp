@@ -26,6 +26,6 @@ private:
   double rate_ = -1;       // before the step; negative before the first one
   int direction_ = 0;      // 1 up, -1 down, 0 neither
   std::int64_t turns_ = 0; // in a row
-  std::int64_t to_tell_ = 10;
+  std::int64_t next_warning_ = 10;
 };
 } // namespace asperity::dynamics

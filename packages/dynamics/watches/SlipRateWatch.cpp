@@ -13,21 +13,21 @@ public:
 
   SlipRateWatch(Teuchos::ParameterList const&, WatchContext const& context)
       : largest_(context.largest_slip_rate)
-      , to_tell_(largest_)
+      , next_warning_(largest_)
   {
   }
 
   void note(WatchedState const& now, Notes& notes) override
   {
     const double rate = now.sample.peakSlipRate();
-    if (rate > to_tell_) {
-      to_tell_ = 10 * rate;
+    if (rate > next_warning_) {
+      next_warning_ = 10 * rate;
       notes.warnings.push_back(warnOfSlipRate(rate, largest_));
     }
   }
 
 private:
-  double largest_, to_tell_; // [m/s]
+  double largest_, next_warning_; // [m/s]
 };
 } // namespace
 } // namespace asperity::dynamics

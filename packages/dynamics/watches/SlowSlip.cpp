@@ -12,8 +12,8 @@ SlowSlip::SlowSlip(std::vector<double> const& L, double rate)
 {
 }
 
-double SlowSlip::of(ConstNodeView const& V, double step_size,
-                    Communicator const& communicator) const
+double SlowSlip::largestRatio(ConstNodeView const& V, double step_size,
+                              Communicator const& communicator) const
 {
   const auto L = L_;
   const double slow = rate_;

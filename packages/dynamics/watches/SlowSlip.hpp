@@ -20,7 +20,8 @@ public:
 
   // The largest V dt / L [-] over the weakening nodes of all ranks whose V(num_nodes) [m/s] is
   // slow. Collective.
-  double of(ConstNodeView const& V, double step_size, Communicator const& communicator) const;
+  double largestRatio(ConstNodeView const& V, double step_size,
+                      Communicator const& communicator) const;
 
 private:
   NodeView L_;

@@ -11,7 +11,7 @@ namespace
 constexpr std::int64_t first_warning = 100;
 
 // first_warning times 1, 10, 100, ...
-bool isWorthALine(std::int64_t count)
+bool isLogged(std::int64_t count)
 {
   while (count > first_warning && count % 10 == 0) {
     count /= 10;
@@ -61,18 +61,18 @@ void StallWatch::note(Step const& step, Notes& notes)
   smallest_ = step.is_smallest ? smallest_ + 1 : 0;
   forced_ = step.is_forced ? forced_ + 1 : 0;
   const std::string size = formatShort(step.step_size) + " s";
-  if (isWorthALine(forced_)) {
+  if (isLogged(forced_)) {
     notes.add(Warning{"forced steps", "The last " + std::to_string(forced_) +
                                         " steps, of the smallest size " + size +
                                         ", did not meet the tolerance. " + advice});
-  } else if (forced_ == 0 && isWorthALine(smallest_)) {
+  } else if (forced_ == 0 && isLogged(smallest_)) {
     notes.lines.push_back("The last " + std::to_string(smallest_) +
                           " steps had the smallest size, " + size + "; the end of the run is " +
                           formatShort(step.time_left / step.step_size) + " such steps away.");
   }
 }
 
-void StallWatch::requireUse() const
+void StallWatch::requireUsefulRun() const
 {
   if (last_ && most_forced_ > 0 && forced_ >= most_forced_) {
     throw SolveError("At t = " + formatShort(last_->time) + " s the last " +

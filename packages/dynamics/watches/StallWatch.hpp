@@ -27,7 +27,7 @@ public:
   };
   void note(Step const& step, Notes& notes);
   // Throws SolveError at the limit most_forced.
-  void requireUse() const override;
+  void requireUsefulRun() const override;
 
   void save(Archive& archive) const override;
   // Counts go on, unless the smallest step is smaller than before.

@@ -22,10 +22,10 @@ void Watches::note(WatchedState const& now, Notes& notes)
   }
 }
 
-void Watches::requireUse() const
+void Watches::requireUsefulRun() const
 {
   for (auto const& each : watches_) {
-    each.watch->requireUse();
+    each.watch->requireUsefulRun();
   }
 }
 

@@ -28,7 +28,7 @@ struct WatchedState
   State const& state;
   FaultSample const& sample;     // of that state
   Vector const& force;           // EnergyBalance::force of that state
-  std::int64_t energy_increases; // SolveCount::rises so far
+  std::int64_t energy_increases; // SolveCount::energy_increases so far
   double time;                   // [s]
 
   struct Step
@@ -68,7 +68,7 @@ public:
   virtual ~Watch() = default;
   virtual void note(WatchedState const& now, Notes& notes) = 0;
   // Throws SolveError if the run has to end. Comes after the notes are written.
-  virtual void requireUse() const {}
+  virtual void requireUsefulRun() const {}
   // At the end of the run: a warning about the whole run, and lines of its summary, each with its
   // line break.
   virtual std::optional<Warning> warningOfRun() const { return std::nullopt; }
@@ -123,7 +123,7 @@ public:
   Watches(Teuchos::ParameterList const& parameters, WatchContext const& context);
 
   void note(WatchedState const& now, Notes& notes);
-  void requireUse() const;
+  void requireUsefulRun() const;
   std::vector<Warning> warningsOfRun() const;
   std::string report() const;
   void save(Archive& archive) const;

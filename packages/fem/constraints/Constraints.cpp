@@ -112,7 +112,7 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
       requireAgreement(node, condition, terms);
     }
   }
-  auto const basis = layFrame(node, directions, prescribed);
+  auto const basis = makeFrame(node, directions, prescribed);
   const int turn = turnAt(directions);
   auto const frame = frameFrom(basis.vectors(), components, turn);
 
@@ -174,7 +174,7 @@ int Constraints<Dim>::obliqueCondition(std::vector<Direction> const& directions,
   return first->condition;
 }
 
-// The turn for the first direction of layFrame().
+// The turn for the first direction of makeFrame().
 template <int Dim>
 int Constraints<Dim>::turnAt(std::vector<Direction> const& directions) const
 {
@@ -193,8 +193,8 @@ int Constraints<Dim>::turnAt(std::vector<Direction> const& directions) const
 // The directions that a node's frame follows, each with its prescribed velocity; a free direction
 // has none.
 template <int Dim>
-NodalBasis Constraints<Dim>::layFrame(int node, std::vector<Direction> const& directions,
-                                      NodalBasis const& prescribed) const
+NodalBasis Constraints<Dim>::makeFrame(int node, std::vector<Direction> const& directions,
+                                       NodalBasis const& prescribed) const
 {
   NodalBasis basis;
   int of_frame = -1;

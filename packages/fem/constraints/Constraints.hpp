@@ -61,8 +61,8 @@ private:
   void holdTips(Mesh<Dim> const& mesh, DofMap const& dofs);
   void constrain(DofMap const& dofs, int node, std::vector<Direction> const& directions);
   int turnAt(std::vector<Direction> const& directions) const;
-  detail::NodalBasis layFrame(int node, std::vector<Direction> const& directions,
-                              detail::NodalBasis const& prescribed) const;
+  detail::NodalBasis makeFrame(int node, std::vector<Direction> const& directions,
+                               detail::NodalBasis const& prescribed) const;
   int obliqueCondition(std::vector<Direction> const& directions,
                        std::vector<std::vector<double>> const& to) const;
   void requireAgreement(int node, int condition, detail::Terms const& terms) const;

@@ -230,7 +230,7 @@ double InelasticCells::distance(ConstTensorView const& e, ConstTensorView const&
   return of_change == 0 ? 0 : std::sqrt(of_change / (of_change + of_stress));
 }
 
-std::optional<InelasticCells::Beyond> InelasticCells::furthestBeyond(Vector const& u) const
+std::optional<InelasticCells::Excess> InelasticCells::largestExcess(Vector const& u) const
 {
   auto const strain = strainOf(u);
   auto const before = none(), after = none();
@@ -238,12 +238,12 @@ std::optional<InelasticCells::Beyond> InelasticCells::furthestBeyond(Vector cons
   yield(strain, for_long, before, after);
   auto const gamma = toHost(after.shear);
   auto const G = toHost(shear_modulus_), t = toHost(ConstNodeView(shear_stress_));
-  std::optional<Beyond> furthest;
+  std::optional<Excess> furthest;
   for (int row = 0; row < sharing_.numOwned(); ++row) {
     const double over = G(row) * gamma(row, 0);
     const double rounding = 1e-9 * t(row);
     if (over > rounding && (!furthest || over > furthest->shear_stress - furthest->kept)) {
-      furthest = Beyond{sharing_.cells()[row], t(row), t(row) - over};
+      furthest = Excess{sharing_.cells()[row], t(row), t(row) - over};
     }
   }
   return furthest;

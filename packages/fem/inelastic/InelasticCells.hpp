@@ -68,12 +68,12 @@ public:
 
   // The cell of the mesh, among those of this rank, whose shear stress t at the displacement u is
   // furthest above the t1 that it keeps for long; none if all of them bear theirs. Collective.
-  struct Beyond
+  struct Excess
   {
     int cell;
     double shear_stress, kept; // t and t1 [Pa]
   };
-  std::optional<Beyond> furthestBeyond(Vector const& u) const;
+  std::optional<Excess> largestExcess(Vector const& u) const;
 
 private:
   struct Part

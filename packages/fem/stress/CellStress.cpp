@@ -46,7 +46,7 @@ struct CellKernel
   // k_P t_P of the displacement in the patch of a cell.
   KOKKOS_FUNCTION double stressOfPatch(int cell) const
   {
-    const int patch = patches.of_cell.extent(0) > 0 ? patches.of_cell(cell) : -1;
+    const int patch = patches.patch_of_cell.extent(0) > 0 ? patches.patch_of_cell(cell) : -1;
     if (patch < 0) {
       return 0;
     }
@@ -132,7 +132,7 @@ detail::PatchesOfCells<Dim> patchesOf(Mesh<Dim> const& mesh, std::vector<int> co
   std::vector<double> moduli;
   const NodalFrames along_axes(static_cast<int>(mesh.vertices.size()), Dim);
   for (const int cell : cells) {
-    const int patch = patches.of_cell[cell];
+    const int patch = patches.patch_of_cell[cell];
     if (patch < 0) {
       of_cell.push_back(-1);
       continue;
@@ -175,8 +175,8 @@ CellStress<Dim>::CellStress(Mesh<Dim> const& mesh, int components,
   ASPERITY_ASSERT(materials.size() == mesh.cells.size());
   for (int cell : cells) {
     vertices_.insert(vertices_.end(), mesh.cells[cell].begin(), mesh.cells[cell].end());
-    if (!patches.empty() && patches.of_cell[cell] >= 0) {
-      for (const int other : patches.patches[patches.of_cell[cell]].cells) {
+    if (!patches.empty() && patches.patch_of_cell[cell] >= 0) {
+      for (const int other : patches.patches[patches.patch_of_cell[cell]].cells) {
         vertices_.insert(vertices_.end(), mesh.cells[other].begin(), mesh.cells[other].end());
       }
     }

@@ -24,7 +24,7 @@ struct PatchesOfCells
   template <class Value>
   using View = Kokkos::View<Value, MemorySpace>;
 
-  View<const int*> of_cell;         // (cells) number of the patch, or -1; empty without patches
+  View<const int*> patch_of_cell;   // (cells) number of the patch, or -1; empty without patches
   View<const int*> entries_begin;   // (patches + 1)
   View<const int*> vertices;        // (entries) places in CellStress::vertices()
   View<const double* [Dim]> slopes; // (entries, Dim)

@@ -10,16 +10,18 @@ namespace asperity::friction::detail
 // v_i := the minimiser under the force r_i, at right angles to a prescribed velocity of the given
 // length. False: there is none.
 template <int T, class Potential>
-KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double beside, double curvature,
-                                       double const (&force)[T], double* v)
+KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double prescribed_rate,
+                                       double curvature, double const (&force)[T], double* v)
 {
   double rate[T];
   for (int j = 0; j < T; ++j) {
     rate[j] = v[j];
   }
   const double load = length(force);
-  const auto solution = beside > 0 ? potential.minimiseBeside(beside, curvature, load, length(rate))
-                                   : potential.minimise(curvature, load, length(rate));
+  const auto solution =
+    prescribed_rate > 0
+      ? potential.minimiseWithPrescribed(prescribed_rate, curvature, load, length(rate))
+      : potential.minimise(curvature, load, length(rate));
   for (int j = 0; j < T && solution.converged; ++j) {
     v[j] = solution.V == 0 ? 0 : solution.V * (force[j] / load);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "friction/detail/PrescribedBeside.hpp"
+#include "friction/detail/PartlyPrescribed.hpp"
 #include "friction/detail/RateSolve.hpp"
 
 #include <type_traits>
@@ -9,11 +9,11 @@
 namespace asperity::friction::detail
 {
 template <class Curve, class = void>
-struct KnowsItsTerms : std::false_type
+struct HasTerms : std::false_type
 {
 };
 template <class Curve>
-struct KnowsItsTerms<Curve, std::void_t<decltype(std::declval<Curve const&>().terms(1.))>>
+struct HasTerms<Curve, std::void_t<decltype(std::declval<Curve const&>().terms(1.))>>
     : std::true_type
 {
 };
@@ -23,7 +23,7 @@ struct KnowsItsTerms<Curve, std::void_t<decltype(std::declval<Curve const&>().te
 template <class Curve>
 KOKKOS_INLINE_FUNCTION double termsOf(Curve const& curve, double V)
 {
-  if constexpr (KnowsItsTerms<Curve>::value) {
+  if constexpr (HasTerms<Curve>::value) {
     return curve.terms(V);
   } else {
     return curve.mu(V);
@@ -111,13 +111,14 @@ struct NodePotential
   // The length of argmin_w curvature/2 |w|^2 - <r, w> + psi(w + p) for |r| = load, where w is at
   // right angles to p, the prescribed rate, and |p| > 0 is given first. As psi is convex, so is its
   // restriction, and it is smooth at w = 0.
-  KOKKOS_INLINE_FUNCTION RateSolution minimiseBeside(double beside, double curvature, double load,
-                                                     double guess) const
+  KOKKOS_INLINE_FUNCTION RateSolution minimiseWithPrescribed(double prescribed_rate,
+                                                             double curvature, double load,
+                                                             double guess) const
   {
     if (!(curvature > 0) || !isFinite(load)) {
       return {0, false};
     }
-    RateSolve<PrescribedBeside<Curve>> solve({curve, sigma_n, cohesion, factor * beside},
+    RateSolve<PartlyPrescribed<Curve>> solve({curve, sigma_n, cohesion, factor * prescribed_rate},
                                              curvature / factor, weight, load);
     const RateSolution solution = solve.solve(factor * guess);
     return {solution.V / factor, solution.converged};

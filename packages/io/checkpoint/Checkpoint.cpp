@@ -78,7 +78,7 @@ void checkHeader(h5::File const& file, std::string const& name, Fingerprint cons
 
 // Calls read(); what HDF5 cannot read is damaged.
 template <class Read>
-auto orRefuse(std::string const& name, Read const& read)
+auto asInputError(std::string const& name, Read const& read)
 {
   try {
     return read();
@@ -96,7 +96,7 @@ h5::File openCheckpoint(std::filesystem::path const& path, Fingerprint const& fi
   ASPERITY_REQUIRE(
     h5::File::isSealed(path),
     name << " is damaged or not a checkpoint of Asperity. It does not begin as one.");
-  return orRefuse(name, [&] {
+  return asInputError(name, [&] {
     h5::File file = h5::File::open(path);
     checkHeader(file, name, fingerprint);
     return file;
@@ -130,7 +130,7 @@ Archive readCheckpoint(std::filesystem::path const& path, Fingerprint const& fin
   std::optional<h5::File> file; // each rank reads it for itself
   detail::Contents contents;
   onEveryRank(comm, [&] {
-    orRefuse(name, [&] {
+    asInputError(name, [&] {
       file = h5::File::open(path);
       contents = detail::readContents(*file);
     });
@@ -141,9 +141,9 @@ Archive readCheckpoint(std::filesystem::path const& path, Fingerprint const& fin
   }
   const auto orders = detail::ordersOf(here, sets, comm);
   const auto together = [&](std::function<void()> const& work) {
-    onEveryRank(comm, [&] { orRefuse(name, work); });
+    onEveryRank(comm, [&] { asInputError(name, work); });
   };
-  return orRefuse(name,
-                  [&] { return detail::readArchive(*file, contents, orders, together, comm); });
+  return asInputError(name,
+                      [&] { return detail::readArchive(*file, contents, orders, together, comm); });
 }
 } // namespace asperity::io

@@ -27,7 +27,7 @@ void synchronise(std::filesystem::path const& file)
   }
   if (!written) {
     throw OutputError(file.string() + " cannot be written to the disk: " + std::strerror(error) +
-                      (opened ? ". " + whetherFull() : ". Has it been removed?"));
+                      (opened ? ". " + diskFullHint() : ". Has it been removed?"));
   }
 }
 

@@ -94,7 +94,7 @@ void addFilesBelow(fs::path const& directory, fs::path const& folder,
 }
 
 // Permissions alone do not tell (read-only file systems, quotas, root). Opens no existing file.
-bool canWriteIn(fs::path const& directory)
+bool isWritable(fs::path const& directory)
 {
   constexpr int private_file = 0600;
   const auto probe = directory / (".asperity_write_test." + std::to_string(::getpid()));
@@ -117,7 +117,7 @@ void requireWritable(fs::path const& directory)
                    "The output directory " << directory.string() << " cannot be made"
                                            << (error ? ": " + error.message() : "")
                                            << ". Choose another one with --output DIR.");
-  ASPERITY_REQUIRE(canWriteIn(directory),
+  ASPERITY_REQUIRE(isWritable(directory),
                    "The output directory "
                      << directory.string()
                      << " cannot be written. Check its permissions and the space on the disk, or "

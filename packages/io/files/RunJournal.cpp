@@ -74,14 +74,14 @@ void RunJournal::restart() { write("restart", ""); }
 
 void RunJournal::warn(Warning const& warning)
 {
-  told_[warning.topic] = {warning.text, step_, time_};
+  recorded_[warning.topic] = {warning.text, step_, time_};
   write("warning", member("topic", quoted(warning.topic)) + member("text", quoted(warning.text)));
 }
 
 std::set<std::string> RunJournal::topics() const
 {
   std::set<std::string> topics;
-  for (auto const& [topic, told] : told_) {
+  for (auto const& [topic, recorded] : recorded_) {
     topics.insert(topic);
   }
   return topics;
@@ -89,14 +89,14 @@ std::set<std::string> RunJournal::topics() const
 
 void RunJournal::save(Archive& archive) const
 {
-  archive.set("number", told_.size());
+  archive.set("number", recorded_.size());
   int i = 0;
-  for (auto const& [topic, told] : told_) {
+  for (auto const& [topic, recorded] : recorded_) {
     const std::string path = std::to_string(i++);
     archive.set(path + "/topic", topic);
-    archive.set(path + "/text", told.text);
-    archive.set(path + "/step", told.step);
-    archive.set(path + "/time", told.time);
+    archive.set(path + "/text", recorded.text);
+    archive.set(path + "/step", recorded.step);
+    archive.set(path + "/time", recorded.time);
   }
 }
 
@@ -110,7 +110,7 @@ std::vector<Warning> RunJournal::repeat(Archive const& archive)
     const std::string path = std::to_string(i);
     const Warning warning{archive.get<std::string>(path + "/topic"),
                           archive.get<std::string>(path + "/text")};
-    if (told_.count(warning.topic) == 0) {
+    if (recorded_.count(warning.topic) == 0) {
       at(archive.getInteger(path + "/step"), archive.getDouble(path + "/time"));
       warn(warning);
       repeated.push_back(warning);

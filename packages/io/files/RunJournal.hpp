@@ -61,7 +61,7 @@ public:
   std::vector<Warning> repeat(Archive const& archive);
 
 private:
-  struct Told
+  struct RecordedWarning
   {
     std::string text;
     std::int64_t step = 0;
@@ -72,6 +72,6 @@ private:
   std::ofstream file_; // open on rank 0 alone
   std::int64_t step_ = 0;
   double time_ = 0;
-  std::map<std::string, Told> told_; // by topic
+  std::map<std::string, RecordedWarning> recorded_; // by topic
 };
 } // namespace asperity::io

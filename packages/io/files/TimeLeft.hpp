@@ -64,9 +64,9 @@ public:
     }
     const bool knows_cycles = begins_.size() > 1;
     const double rest = std::max(0.0, final_time - times_.back());
-    const double of_cycles = knows_cycles && rest > 0 ? ofCycles(final_time) : 0;
-    if (of_cycles > 0) {
-      return Estimate{of_cycles, true};
+    const double by_cycles = knows_cycles && rest > 0 ? secondsByCycles(final_time) : 0;
+    if (by_cycles > 0) {
+      return Estimate{by_cycles, true};
     }
     const double begin = std::max(walls_.back() - memory, walls_.front());
     const double done = times_.back() - interpolated(begin, walls_, times_);
@@ -136,7 +136,7 @@ private:
 
   // The rest of the current cycle, the whole cycles after it, and the part of the cycle in which
   // the run ends [s]. 0 in the last cycle if it has cost more than expected.
-  double ofCycles(double final_time) const
+  double secondsByCycles(double final_time) const
   {
     const double first = begins_.front(), last = begins_.back(), before = *(begins_.end() - 2);
     const auto number = static_cast<double>(begins_.size() - 1);

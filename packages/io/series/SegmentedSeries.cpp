@@ -62,8 +62,8 @@ SegmentedTable::Options tableOf(SegmentedSeries::Options const& given, SeriesLay
   for (auto const& field : layout.fields) {
     options.columns.push_back({"fields/" + field.name, field.unit, field.description, layout.type,
                                layout.rowShape(field),
-                               isOfElements(&field) ? SegmentedTable::Column::Of::elements
-                                                    : SegmentedTable::Column::Of::nodes,
+                               isOfElements(&field) ? SegmentedTable::Column::Support::elements
+                                                    : SegmentedTable::Column::Support::nodes,
                                componentsText(field)});
   }
   options.describe_index = [name = domain.name](h5::File& file) {

@@ -28,7 +28,7 @@ using Column = SegmentedTable::Column;
 
 void describeColumn(h5::Dataset dataset, Column const& column)
 {
-  if (column.of == Column::Of::elements) {
+  if (column.support == Column::Support::elements) {
     dataset.setAttribute("centring", "elements");
   }
   if (!column.components.empty()) {
@@ -66,8 +66,9 @@ SegmentedTable::SegmentedTable(Options options, RCP<const Communicator> comm)
   if (options_.nodes != nullptr) {
     blocks_.emplace(*options_.nodes);
     auto const& columns = options_.columns;
-    if (std::any_of(columns.begin(), columns.end(),
-                    [](Column const& column) { return column.of == Column::Of::elements; })) {
+    if (std::any_of(columns.begin(), columns.end(), [](Column const& column) {
+          return column.support == Column::Support::elements;
+        })) {
       elements_.emplace(*options_.nodes, *blocks_);
     }
   }
@@ -89,7 +90,7 @@ void SegmentedTable::append(std::size_t num_rows, std::vector<std::vector<double
   rows_in_open_segment_ += static_cast<std::int64_t>(num_rows);
   rows_waiting_ += num_rows;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    if (options_.columns[i].of != Column::Of::run || comm_->getRank() == 0) {
+    if (options_.columns[i].support != Column::Support::run || comm_->getRank() == 0) {
       waiting_[i].insert(waiting_[i].end(), values[i].begin(), values[i].end());
     }
   }
@@ -159,14 +160,14 @@ void SegmentedTable::writeColumn(std::optional<h5::File>& segment, std::size_t i
   onRoot(*comm_, [&] {
     dataset = segment->openDataset(column.path);
     dataset->extend(rows_waiting_);
-    if (column.of == Column::Of::run) {
+    if (column.support == Column::Support::run) {
       const hsize_t all = column.row_shape.empty() ? 1 : column.row_shape[0];
       dataset->writeRows(waiting_[i].data(), rows_waiting_, {0, all});
     }
   });
-  if (column.of == Column::Of::nodes) {
+  if (column.support == Column::Support::nodes) {
     writeBlocks(dataset, i, *blocks_);
-  } else if (column.of == Column::Of::elements) {
+  } else if (column.support == Column::Support::elements) {
     writeBlocks(dataset, i, *elements_);
   }
 }

@@ -38,12 +38,12 @@ public:
     h5::Shape row_shape; // of the value in a row; {} is a number
     // The first dimension of a row: nodes or elements of the domain, of which each rank has a part,
     // or neither (`run`).
-    enum class Of
+    enum class Support
     {
       run,
       nodes,
       elements
-    } of = Of::run;
+    } support = Support::run;
     std::string components = {}; // "xx xy yy", an attribute; "" if they have no names
   };
   struct Options

@@ -132,7 +132,7 @@ template <int Dim>
 std::vector<AtCorner<Dim>> facetsOfOneCell(FacetTable<Dim> const& table, int num_complete)
 {
   std::vector<AtCorner<Dim>> found;
-  for (auto const* entry : table.ofOneCell()) {
+  for (auto const* entry : table.outerEntries()) {
     for (int corner = 0; corner < Dim; ++corner) {
       const int vertex = entry->outward[corner];
       if (vertex < num_complete) {
@@ -153,8 +153,8 @@ std::string cornersText(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& facet)
 
 // "vertex 4 at (0.5, 0.5) m lies inside ..." if a corner of the second facet lies in the first.
 template <template <int> class AnyMesh, int Dim>
-std::string hangingIn(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& facet,
-                      AtCorner<Dim> const& other)
+std::string hangingVertexText(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& facet,
+                              AtCorner<Dim> const& other)
 {
   auto const points = corners(mesh, other.entry->outward);
   auto const arms = armsFrom<Dim>(corners(mesh, facet.entry->outward), facet.corner);
@@ -174,9 +174,9 @@ template <template <int> class AnyMesh, int Dim>
 [[noreturn]] void refuse(AnyMesh<Dim> const& mesh, AtCorner<Dim> const& a, AtCorner<Dim> const& b,
                          std::string const& where)
 {
-  auto what = hangingIn(mesh, a, b);
+  auto what = hangingVertexText(mesh, a, b);
   if (what.empty()) {
-    what = hangingIn(mesh, b, a);
+    what = hangingVertexText(mesh, b, a);
   }
   if (what.empty()) {
     what = "the face with the corners " + cornersText(mesh, a) + " and the one with the corners " +

@@ -68,7 +68,7 @@ public:
   }
 
   // The entries of the facets that only one cell has.
-  std::vector<Entry const*> ofOneCell() const
+  std::vector<Entry const*> outerEntries() const
   {
     std::vector<Entry const*> found;
     for (auto first = entries_.begin(); first != entries_.end();) {

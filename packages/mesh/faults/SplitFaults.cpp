@@ -76,7 +76,7 @@ private:
   // Finds the vertices of faults, and the edges between two of them, on the surface of the body.
   void findSurface()
   {
-    for (auto const* entry : table_.ofOneCell()) {
+    for (auto const* entry : table_.outerEntries()) {
       for (int a : entry->key) {
         if (number_[a] >= 0) {
           on_surface_.insert(a);

@@ -18,15 +18,16 @@ void check(BoxShape const& shape)
 
 // The six ways from the lowest to the highest corner of a brick, one axis at a time. The last three
 // give tetrahedra of the other orientation.
-constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+constexpr int axis_orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                   {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
 
 // `step`: the difference of the numbers of neighbours along each axis.
 void addBrick(int lowest, std::array<int, 3> const& step, std::vector<GlobalMesh<3>::Cell>& cells)
 {
   for (int w = 0; w < 6; ++w) {
-    auto const& way = ways[w];
-    const int second = lowest + step[way[0]], third = second + step[way[1]];
-    const int highest = third + step[way[2]];
+    auto const& axis_order = axis_orders[w];
+    const int second = lowest + step[axis_order[0]], third = second + step[axis_order[1]];
+    const int highest = third + step[axis_order[2]];
     if (w < 3) {
       cells.push_back({lowest, second, third, highest});
     } else {

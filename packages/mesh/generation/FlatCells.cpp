@@ -180,7 +180,7 @@ void stayOnBoundary(GlobalMesh<Dim> const& mesh, Surface<Dim> const& surface,
     own.insert(detail::sorted(facet));
   }
   std::vector<std::vector<Point<Dim>>> normals(mesh.vertices.size()); // orthonormal
-  for (auto const* entry : table.ofOneCell()) {
+  for (auto const* entry : table.outerEntries()) {
     if (own.count(entry->key) > 0) {
       continue;
     }

@@ -6,7 +6,7 @@ namespace
 {
 // x += (D + E)^-1 (b - A x). The eigenvalues of (D + E)^-1 A are at most 4/3: errors that belong to
 // the upper two thirds of them shrink to a third or less, and none grows.
-class BlockJacobi final : public SweepSmoother<Alone>
+class BlockJacobi final : public SweepSmoother<JacobiRows>
 {
 public:
   static constexpr char const* meaning =

@@ -67,12 +67,12 @@ struct InnerProduct
   }
 };
 
-// d = again d + step D^-1 r, and x += d unless x is null.
+// d = beta d + step D^-1 r, and x += d unless x is null.
 template <int N>
 struct StepRow
 {
   float const *inverse, *r;
-  float again, step;
+  float beta, step;
   float *d, *x;
   KOKKOS_FUNCTION void operator()(int row, int, int) const
   {
@@ -82,7 +82,7 @@ struct StepRow
     }
     multiplySymmetric<N>(inverse + static_cast<std::size_t>(row) * N * N, rest, z);
     for (int i = row * N; i < (row + 1) * N; ++i) {
-      d[i] = (again != 0 ? again * d[i] : 0) + step * z[i - row * N];
+      d[i] = (beta != 0 ? beta * d[i] : 0) + step * z[i - row * N];
       if (x != nullptr) {
         x[i] += d[i];
       }
@@ -92,12 +92,13 @@ struct StepRow
 
 // The largest eigenvalue of a symmetric tridiagonal matrix, by bisection: a number is above all
 // eigenvalues if all pivots of the matrix less that number are negative.
-double largestEigenvalue(std::vector<double> const& diagonal, std::vector<double> const& beside)
+double largestEigenvalue(std::vector<double> const& diagonal,
+                         std::vector<double> const& off_diagonal)
 {
   const auto isAboveAll = [&](double number) {
     double pivot = diagonal[0] - number;
     for (std::size_t i = 1; i < diagonal.size() && pivot < 0; ++i) {
-      pivot = diagonal[i] - number - beside[i - 1] * beside[i - 1] / pivot;
+      pivot = diagonal[i] - number - off_diagonal[i - 1] * off_diagonal[i - 1] / pivot;
     }
     return pivot < 0;
   };
@@ -218,17 +219,17 @@ private:
 
   void step(LevelMatrix const& matrix, int k, NodeVector const& r, NodeVector const& x) const
   {
-    const double again = k == 1 ? 0 : (2. * k - 3) / (2. * k + 1);
+    const double beta = k == 1 ? 0 : (2. * k - 3) / (2. * k + 1);
     const double factor = (8. * k - 4) / ((2. * k + 1) * bound);
-    solveBlocks(matrix, matrix.inverse, r, again, factor, d_, x.data());
+    solveBlocks(matrix, matrix.inverse, r, beta, factor, d_, x.data());
   }
 
   static void solveBlocks(LevelMatrix const& matrix, NodeBlocks const& inverse, NodeVector const& r,
-                          double again, double factor, NodeVector const& d, float* x)
+                          double beta, double factor, NodeVector const& d, float* x)
   {
     withBlockSizes(matrix.blockSize(), matrix.blockSize(), [&](auto size, auto) {
       constexpr int N = decltype(size)::value;
-      matrix.level.schedule.forEach(StepRow<N>{inverse.data(), r.data(), static_cast<float>(again),
+      matrix.level.schedule.forEach(StepRow<N>{inverse.data(), r.data(), static_cast<float>(beta),
                                                static_cast<float>(factor), d.data(), x});
     });
   }
@@ -279,14 +280,14 @@ private:
     auto const& p = d_;
     Kokkos::deep_copy(p, 0.f);
     schedule.forEachNumber(N, FillRandom{matrix.level.ids, N, r.data()});
-    std::vector<double> diagonal, beside;
-    double rz = 0, again = 0, length = 0;
+    std::vector<double> diagonal, off_diagonal;
+    double rz = 0, beta = 0, length = 0;
     for (int k = 0; k < most_steps; ++k) {
       solveBlocks(matrix, inverse, r, 0, 1, z, nullptr);
       const double rz_before = rz, length_before = length;
       rz = product(matrix, r, z);
-      again = k == 0 ? 0 : rz / rz_before;
-      schedule.forEachNumber(N, AddToScaled{static_cast<float>(again), z.data(), p.data()});
+      beta = k == 0 ? 0 : rz / rz_before;
+      schedule.forEachNumber(N, AddToScaled{static_cast<float>(beta), z.data(), p.data()});
       Kokkos::deep_copy(w, 0.f);
       matrix.level.graph.share(p);
       multiplyAdd(matrix.level.graph, schedule, matrix.A, p, w);
@@ -295,13 +296,13 @@ private:
         break;
       }
       length = rz / curvature;
-      diagonal.push_back(1 / length + (k == 0 ? 0 : again / length_before));
+      diagonal.push_back(1 / length + (k == 0 ? 0 : beta / length_before));
       if (k > 0) {
-        beside.push_back(std::sqrt(again) / length_before);
+        off_diagonal.push_back(std::sqrt(beta) / length_before);
       }
       schedule.forEachNumber(N, AddScaled{static_cast<float>(-length), w.data(), r.data()});
     }
-    return diagonal.empty() ? 0 : largestEigenvalue(diagonal, beside);
+    return diagonal.empty() ? 0 : largestEigenvalue(diagonal, off_diagonal);
   }
 
   NodeVector d_; // the last change of x, with ghosts

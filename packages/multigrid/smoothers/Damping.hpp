@@ -36,7 +36,7 @@ struct ScaleRow
 template <int N>
 struct DampRow
 {
-  BlockRows<N> of;
+  BlockRows<N> matrix;
   int const* diagonal;
   float const* scale; // with ghosts
   float* E;
@@ -44,10 +44,11 @@ struct DampRow
   KOKKOS_FUNCTION void operator()(int row, int begin, int end) const
   {
     double outside[N] = {};
-    for (int k = of.lower[row]; k < of.firstWithin(begin, row); ++k) {
+    for (int k = matrix.lower[row]; k < matrix.firstWithin(begin, row); ++k) {
       addCoupling(row, k, outside);
     }
-    for (int k = of.upper[row + 1]; k > of.upper[row] && of.columns[k - 1] >= end; --k) {
+    for (int k = matrix.upper[row + 1]; k > matrix.upper[row] && matrix.columns[k - 1] >= end;
+         --k) {
       addCoupling(row, k - 1, outside);
     }
     const double least = smallestEigenvalue(row);
@@ -61,11 +62,11 @@ struct DampRow
 private:
   KOKKOS_FUNCTION void addCoupling(int row, int k, double (&outside)[N]) const
   {
-    float const* block = of.A + static_cast<std::size_t>(k) * N * N;
+    float const* block = matrix.A + static_cast<std::size_t>(k) * N * N;
     for (int c = 0; c < N; ++c) {
       for (int d = 0; d < N; ++d) {
         outside[c] += math::fabs(block[c * N + d]) * scale[row * N + c] *
-                      scale[static_cast<std::size_t>(of.columns[k]) * N + d];
+                      scale[static_cast<std::size_t>(matrix.columns[k]) * N + d];
       }
     }
   }
@@ -75,7 +76,7 @@ private:
     double block[N][N] = {};
     for (int c = 0; c < N && diagonal[row] >= 0; ++c) {
       for (int d = 0; d < N; ++d) {
-        block[c][d] = of.A[(static_cast<std::size_t>(diagonal[row]) * N + c) * N + d] *
+        block[c][d] = matrix.A[(static_cast<std::size_t>(diagonal[row]) * N + c) * N + d] *
                       scale[row * N + c] * scale[row * N + d];
       }
     }

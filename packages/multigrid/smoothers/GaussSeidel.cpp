@@ -6,7 +6,7 @@ namespace
 {
 // Block Gauss-Seidel in the order of the level's schedule. Between chunks of rows and between ranks
 // it is Jacobi, damped just so that D + 2 E - G is positive.
-class GaussSeidel final : public SweepSmoother<Together>
+class GaussSeidel final : public SweepSmoother<GaussSeidelRows>
 {
 public:
   static constexpr char const* meaning =

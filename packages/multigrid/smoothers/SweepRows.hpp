@@ -81,23 +81,23 @@ struct BlockRows
 template <int N>
 struct ForwardRow
 {
-  BlockRows<N> of;
+  BlockRows<N> matrix;
   float const* b;
   float* x;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
-    if (const int next = row + of.rows_ahead; next < end) {
-      of.fetch(of.lower[next], of.lower[next + 1]);
+    if (const int next = row + matrix.rows_ahead; next < end) {
+      matrix.fetch(matrix.lower[next], matrix.lower[next + 1]);
     }
     RowSums<N, N> before;
-    for (int k = of.firstWithin(begin, row); k < of.lower[row + 1]; ++k) {
-      of.add(before, k, x);
+    for (int k = matrix.firstWithin(begin, row); k < matrix.lower[row + 1]; ++k) {
+      matrix.add(before, k, x);
     }
     float rest[N];
     for (int c = 0; c < N; ++c) {
       rest[c] = b[row * N + c] - before[c];
     }
-    of.solve(row, rest, x);
+    matrix.solve(row, rest, x);
   }
 };
 
@@ -105,25 +105,25 @@ struct ForwardRow
 template <int N>
 struct ResidualRow
 {
-  BlockRows<N> of;
+  BlockRows<N> matrix;
   float const* x;
   float* residual;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
-    if (const int next = row + of.rows_ahead; next < end) {
-      of.fetch(of.upper[next], of.upper[next + 1]);
+    if (const int next = row + matrix.rows_ahead; next < end) {
+      matrix.fetch(matrix.upper[next], matrix.upper[next + 1]);
     }
     RowSums<N, N> rest;
-    for (int k = of.lower[row]; k < of.firstWithin(begin, row); ++k) {
-      of.add(rest, k, x);
+    for (int k = matrix.lower[row]; k < matrix.firstWithin(begin, row); ++k) {
+      matrix.add(rest, k, x);
     }
-    for (int k = of.upper[row]; k < of.upper[row + 1]; ++k) {
-      of.add(rest, k, x);
+    for (int k = matrix.upper[row]; k < matrix.upper[row + 1]; ++k) {
+      matrix.add(rest, k, x);
     }
     for (int c = 0; c < N; ++c) {
       residual[row * N + c] = -rest[c];
     }
-    of.addDamped(row, x, residual);
+    matrix.addDamped(row, x, residual);
   }
 };
 
@@ -132,36 +132,36 @@ struct ResidualRow
 template <int N>
 struct BackwardRow
 {
-  BlockRows<N> of;
+  BlockRows<N> matrix;
   float const *b, *x_before;
   float *x, *residual; // b - (L + G) x_before + E (x_before - x)
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int begin, int end) const
   {
-    if (const int next = row - of.rows_ahead; next >= begin) {
-      of.fetch(of.lower[next], of.lower[next + 1]);
-      of.fetch(of.upper[next], of.upper[next + 1]);
+    if (const int next = row - matrix.rows_ahead; next >= begin) {
+      matrix.fetch(matrix.lower[next], matrix.lower[next + 1]);
+      matrix.fetch(matrix.upper[next], matrix.upper[next + 1]);
     }
     RowSums<N, N> old, updated;
-    for (int k = of.lower[row]; k < of.lower[row + 1]; ++k) {
-      of.add(old, k, x_before);
+    for (int k = matrix.lower[row]; k < matrix.lower[row + 1]; ++k) {
+      matrix.add(old, k, x_before);
     }
-    int k = of.upper[row];
-    for (; k < of.upper[row + 1] && of.columns[k] < end; ++k) {
-      of.add(updated, k, x);
+    int k = matrix.upper[row];
+    for (; k < matrix.upper[row + 1] && matrix.columns[k] < end; ++k) {
+      matrix.add(updated, k, x);
     }
-    for (; k < of.upper[row + 1]; ++k) {
-      of.add(old, k, x_before);
+    for (; k < matrix.upper[row + 1]; ++k) {
+      matrix.add(old, k, x_before);
     }
     for (int c = 0; c < N; ++c) {
       residual[row * N + c] = b[row * N + c] - old[c];
     }
-    of.addDamped(row, x, residual);
+    matrix.addDamped(row, x, residual);
     float rest[N];
     for (int c = 0; c < N; ++c) {
       rest[c] = residual[row * N + c] - updated[c];
     }
-    of.solve(row, rest, x);
-    of.subtractDamped(row, x, residual);
+    matrix.solve(row, rest, x);
+    matrix.subtractDamped(row, x, residual);
   }
 };
 
@@ -170,20 +170,21 @@ struct BackwardRow
 template <int N>
 struct ImageRow
 {
-  BlockRows<N> of;
+  BlockRows<N> matrix;
   float const* x;
   float* residual;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int, int end) const
   {
-    if (const int next = row + of.rows_ahead; next < end) {
-      of.fetch(of.lower[next], of.lower[next + 1]);
+    if (const int next = row + matrix.rows_ahead; next < end) {
+      matrix.fetch(matrix.lower[next], matrix.lower[next + 1]);
     }
     RowSums<N, N> sum;
-    for (int k = of.lower[row]; k < of.lower[row + 1]; ++k) {
-      of.add(sum, k, x);
+    for (int k = matrix.lower[row]; k < matrix.lower[row + 1]; ++k) {
+      matrix.add(sum, k, x);
     }
-    for (int k = of.upper[row + 1]; k > of.upper[row] && of.columns[k - 1] >= end; --k) {
-      of.add(sum, k - 1, x);
+    for (int k = matrix.upper[row + 1]; k > matrix.upper[row] && matrix.columns[k - 1] >= end;
+         --k) {
+      matrix.add(sum, k - 1, x);
     }
     for (int c = 0; c < N; ++c) {
       residual[row * N + c] += sum[c];
@@ -195,12 +196,12 @@ struct ImageRow
 // Gauss-Seidel within them, or each alone, so that whatever it takes from others is from before the
 // sweep, which is Jacobi.
 template <class Row>
-struct Together : Row
+struct GaussSeidelRows : Row
 {
   static constexpr bool is_jacobi = false;
 };
 template <class Row>
-struct Alone : Row
+struct JacobiRows : Row
 {
   static constexpr bool is_jacobi = true;
   KOKKOS_FORCEINLINE_FUNCTION void operator()(int row, int, int) const

@@ -8,7 +8,7 @@ namespace asperity::multigrid
 // Block sweeps with D + E, forward before and backward after the coarse correction. From zero the
 // forward sweep and the residual together read A once, and the product with the result follows from
 // data that the backward sweep reads.
-template <template <class> class Taken>
+template <template <class> class Order>
 class SweepSmoother : public Smoother
 {
 public:
@@ -31,7 +31,7 @@ public:
       int const* diagonal = level.graph.diagonal.data();
       level.schedule.forEach(ScaleRow<N>{diagonal, matrix.A.data(), held, scale.data()});
       level.graph.share(scale);
-      level.schedule.forEach(Taken<DampRow<N>>{
+      level.schedule.forEach(Order<DampRow<N>>{
         {BlockRows<N>(matrix), diagonal, scale.data(), matrix.damping.data(), largest_}});
     });
   }
@@ -43,9 +43,9 @@ public:
     withBlockSize(matrix, [&](auto size) {
       constexpr int N = decltype(size)::value;
       const BlockRows<N> rows(matrix);
-      level.schedule.forward(Taken<ForwardRow<N>>{{rows, b.data(), x.data()}});
+      level.schedule.forward(Order<ForwardRow<N>>{{rows, b.data(), x.data()}});
       level.graph.share(x);
-      level.schedule.forEach(Taken<ResidualRow<N>>{{rows, x.data(), residual.data()}});
+      level.schedule.forEach(Order<ResidualRow<N>>{{rows, x.data(), residual.data()}});
     });
   }
 
@@ -65,7 +65,7 @@ public:
     auto const& x_before = keeps_before ? before_ : x;
     withBlockSize(matrix, [&](auto size) {
       constexpr int N = decltype(size)::value;
-      level.schedule.backward(Taken<BackwardRow<N>>{
+      level.schedule.backward(Order<BackwardRow<N>>{
         {BlockRows<N>(matrix), b.data(), x_before.data(), x.data(), residual.data()}});
     });
   }
@@ -76,14 +76,14 @@ public:
     withBlockSize(matrix, [&](auto size) {
       constexpr int N = decltype(size)::value;
       matrix.level.schedule.forEach(
-        Taken<ImageRow<N>>{{BlockRows<N>(matrix), x.data(), image.data()}});
+        Order<ImageRow<N>>{{BlockRows<N>(matrix), x.data(), image.data()}});
     });
   }
 
   std::size_t bytes() const override { return sizeof(float) * before_.extent(0); }
 
 private:
-  static constexpr bool is_jacobi = Taken<ForwardRow<1>>::is_jacobi;
+  static constexpr bool is_jacobi = Order<ForwardRow<1>>::is_jacobi;
 
   template <class Work>
   static void withBlockSize(LevelMatrix const& matrix, Work const& work)

@@ -17,7 +17,7 @@ constexpr hsize_t block_size = 1 << 17; // values, a megabyte
 
 // Calls read(); where HDF5 fails, the message begins with the parameter and its value.
 template <class Read>
-void orRefuse(std::string const& path, std::string const& name, Read const& read)
+void asInputError(std::string const& path, std::string const& name, Read const& read)
 {
   try {
     read();
@@ -106,7 +106,7 @@ VertexDataset::VertexDataset(std::string const& name, std::string const& path)
   ASPERITY_REQUIRE(std::filesystem::exists(file_name_, ignored),
                    path << " = '" << name << "': there is no file '" << file_name_ << "'. "
                         << whereNot(file_name_));
-  orRefuse(path, name, [&] {
+  asInputError(path, name, [&] {
     const h5::Dataset dataset = open();
     const h5::Shape shape = dataset.shape();
     const h5::ValueClass value_class = dataset.valueClass();
@@ -154,7 +154,7 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
   ASPERITY_ASSERT(order.empty() ||
                   (global_ids[order.front()] >= 0 && global_ids[order.back()] < num_vertices));
   std::vector<double> values(global_ids.size());
-  orRefuse(path_, name_, [&] {
+  asInputError(path_, name_, [&] {
     const h5::Dataset dataset = open();
     for (auto next = order.begin(); next != order.end();) {
       const auto first = static_cast<hsize_t>(global_ids[*next]);
@@ -172,7 +172,7 @@ std::vector<double> VertexDataset::read(std::vector<long long> const& global_ids
 std::vector<double> VertexDataset::readAll(std::string const& unit) const
 {
   std::vector<double> values;
-  orRefuse(path_, name_, [&] {
+  asInputError(path_, name_, [&] {
     const h5::Dataset dataset = open();
     const auto given = dataset.hasAttribute("unit") ? dataset.textAttribute("unit") : unit;
     ASPERITY_REQUIRE(given == unit,
@@ -185,7 +185,7 @@ std::vector<double> VertexDataset::readAll(std::string const& unit) const
 std::uint64_t VertexDataset::checksum() const
 {
   Checksum checksum;
-  orRefuse(path_, name_, [&] {
+  asInputError(path_, name_, [&] {
     const h5::Dataset dataset = open();
     const auto size = static_cast<hsize_t>(size_);
     for (hsize_t first = 0; first < size; first += block_size) {

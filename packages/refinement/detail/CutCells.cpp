@@ -23,15 +23,15 @@ CutCells<Dim>::CutCells(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& fau
       }
     }
   }
-  askOwners(coarse, faults, communicator);
+  queryOwners(coarse, faults, communicator);
 }
 
 // A question is a row of Dim + 1 global ids: the two ends of the edge, then the other vertices of
-// the cell. The answer is the id of the midpoint that the cell gets; none, if the edge is not cut or
-// the cell keeps its own midpoint.
+// the cell. The answer is the id of the midpoint that the cell gets; none, if the edge is not cut
+// or the cell keeps its own midpoint.
 template <int Dim>
-void CutCells<Dim>::askOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
-                              Communicator const& communicator)
+void CutCells<Dim>::queryOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
+                                Communicator const& communicator)
 {
   Rows questions;
   std::vector<int> destinations;

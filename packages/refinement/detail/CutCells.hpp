@@ -37,8 +37,8 @@ private:
     int cell, point;
   };
 
-  void askOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
-                 Communicator const& communicator);
+  void queryOwners(OwnedPart<Dim> const& coarse, FaultEdges<Dim> const& faults,
+                   Communicator const& communicator);
 
   Mesh<Dim> const& part_;
   Points<Dim>& points_;

@@ -17,7 +17,7 @@ FaultEdges<Dim>::FaultEdges(Mesh<Dim> const& part, std::string const& where)
     , where_(where)
     , sides_(part.splits)
     , has_pair_(part.vertices.size(), false)
-    , is_below_tip_(part.vertices.size(), false)
+    , is_minus_of_tip_(part.vertices.size(), false)
 {
   markPairs();
   collectEdges();
@@ -31,7 +31,7 @@ void FaultEdges<Dim>::markPairs()
 {
   for (auto const& [plus, minus, is_tip] : part_.splits) {
     has_pair_[plus] = has_pair_[minus] = true;
-    is_below_tip_[minus] = is_below_tip_[minus] || is_tip;
+    is_minus_of_tip_[minus] = is_minus_of_tip_[minus] || is_tip;
   }
 }
 
@@ -60,7 +60,7 @@ void FaultEdges<Dim>::decideEdgesOfTips()
       continue;
     }
     if (opened.count(edge) == 0) {
-      decide(edge, facets);
+      decideCut(edge, facets);
     }
     for (auto const& facet : facets) {
       pairs_.push_back({sorted(facet.plus), edge, cuts_.count(edge) == 0});
@@ -81,17 +81,18 @@ void FaultEdges<Dim>::sortPairs()
 template <int Dim>
 void FaultEdges<Dim>::addFacet(std::string const& fault, Facet const& facet)
 {
-  const auto up = sides_.plusSide(facet), down = sides_.minusSide(facet);
+  const auto plus_facet = sides_.plusSide(facet), minus_facet = sides_.minusSide(facet);
   for (auto const& [i, j] : FacetRule<Dim>::edges) {
-    const Edge above = sorted(Edge{up[i], up[j]}), below = sorted(Edge{down[i], down[j]});
-    if (above != below) {
-      if (isOwned(above)) {
-        pairs_.push_back({above, below, false});
+    const Edge plus_edge = sorted(Edge{plus_facet[i], plus_facet[j]}),
+               minus_edge = sorted(Edge{minus_facet[i], minus_facet[j]});
+    if (plus_edge != minus_edge) {
+      if (isOwned(plus_edge)) {
+        pairs_.push_back({plus_edge, minus_edge, false});
       }
     } else {
       const Edge plus{facet[i], facet[j]};
       edges_of_tips_.push_back(plus);
-      tip_facets_[above].push_back({&fault, facet, plus});
+      tip_facets_[plus_edge].push_back({&fault, facet, plus});
     }
   }
 }
@@ -105,7 +106,7 @@ void FaultEdges<Dim>::findRings()
   for (std::size_t c = 0; c < part_.cells.size(); ++c) {
     auto const& cell = part_.cells[c];
     for (auto const& [i, j] : RedRule<Dim>::edges) {
-      if (is_below_tip_[cell[i]] && is_below_tip_[cell[j]]) {
+      if (is_minus_of_tip_[cell[i]] && is_minus_of_tip_[cell[j]]) {
         rings_[sorted(Edge{cell[i], cell[j]})].push_back(static_cast<int>(c));
       }
     }
@@ -114,7 +115,7 @@ void FaultEdges<Dim>::findRings()
 
 // The set of the cell that has this facet, or -1. The facet looks out of its plus side.
 template <int Dim>
-int FaultEdges<Dim>::setBeside(Star const& star, typename Star::Sets const& sets,
+int FaultEdges<Dim>::cellSetOn(Star const& star, typename Star::Sets const& sets,
                                Facet const& facet, bool plus_side) const
 {
   const auto side = plus_side ? sides_.plusSide(facet) : sides_.minusSide(facet);
@@ -125,14 +126,14 @@ int FaultEdges<Dim>::setBeside(Star const& star, typename Star::Sets const& sets
       mesh::difference<Dim>(mesh::centroid(mesh::corners(part_, cell)), mesh::centroid(corners));
     const bool is_plus = mesh::dot<Dim>(inward, mesh::areaNormal(corners)) < 0.0;
     if (hasVertices(cell, side) && is_plus == plus_side) {
-      return sets.of_cell[i];
+      return sets.set_of_cell[i];
     }
   }
   return -1;
 }
 
 template <int Dim>
-void FaultEdges<Dim>::decide(Edge const& edge, std::vector<TipFacet> const& facets)
+void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& facets)
 {
   std::set<Facet> of_faults;
   for (auto const& each : facets) {
@@ -145,8 +146,8 @@ void FaultEdges<Dim>::decide(Edge const& edge, std::vector<TipFacet> const& face
   std::set<int> plus, minus;
   std::set<Edge> plus_edges;
   for (auto const& each : facets) {
-    plus.insert(setBeside(star, sets, each.facet, true));
-    minus.insert(setBeside(star, sets, each.facet, false));
+    plus.insert(cellSetOn(star, sets, each.facet, true));
+    minus.insert(cellSetOn(star, sets, each.facet, false));
     plus_edges.insert(sorted(each.plus));
   }
   ASPERITY_ASSERT(plus.count(-1) == 0 && minus.count(-1) == 0);
@@ -164,7 +165,7 @@ void FaultEdges<Dim>::decide(Edge const& edge, std::vector<TipFacet> const& face
   auto& cut = cuts_[edge];
   cut.plus = *plus_edges.begin();
   for (std::size_t i = 0; i < star.cells().size(); ++i) {
-    if (sets.of_cell[i] == *plus.begin()) {
+    if (sets.set_of_cell[i] == *plus.begin()) {
       cut.plus_cells.push_back(star.cells()[i]);
     }
   }
@@ -173,14 +174,14 @@ void FaultEdges<Dim>::decide(Edge const& edge, std::vector<TipFacet> const& face
 template <int Dim>
 Edge FaultEdges<Dim>::edgeOfFacet(Edge const& edge) const
 {
-  Edge above = edge, below = edge;
+  Edge plus_edge = edge, minus_edge = edge;
   for (int i = 0; i < 2; ++i) {
     if (auto const* pair = sides_.find(edge[i])) {
-      above[i] = pair->is_tip ? pair->minus : pair->plus;
-      below[i] = pair->minus;
+      plus_edge[i] = pair->is_tip ? pair->minus : pair->plus;
+      minus_edge[i] = pair->minus;
     }
   }
-  return above == below ? edge : above;
+  return plus_edge == minus_edge ? edge : plus_edge;
 }
 
 template class FaultEdges<2>;

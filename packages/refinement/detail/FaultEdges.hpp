@@ -84,8 +84,8 @@ private:
   void decideEdgesOfTips();
   void sortPairs();
 
-  void decide(Edge const& edge, std::vector<TipFacet> const& facets);
-  int setBeside(Star const& star, typename Star::Sets const& sets, Facet const& facet,
+  void decideCut(Edge const& edge, std::vector<TipFacet> const& facets);
+  int cellSetOn(Star const& star, typename Star::Sets const& sets, Facet const& facet,
                 bool plus_side) const;
   bool isOwned(Edge const& edge) const
   {
@@ -95,7 +95,7 @@ private:
   Mesh<Dim> const& part_;
   std::string const& where_;
   mesh::FaultSides<Dim> sides_;
-  std::vector<bool> has_pair_, is_below_tip_; // (num_local)
+  std::vector<bool> has_pair_, is_minus_of_tip_; // (num_local)
   std::vector<Edge> edges_of_tips_;
   std::map<Edge, std::vector<TipFacet>> tip_facets_; // by the edge that the cells have
   std::map<Edge, std::vector<int>> rings_;

@@ -75,7 +75,7 @@ public:
     return result;
   }
 
-  void requireUse(std::string const& name) const
+  void requireUsed(std::string const& name) const
   {
     std::vector<std::string> others;
     for (auto const& item : texts_) {
@@ -234,7 +234,7 @@ void resolveNames(ParameterList& deck, ParameterList const& valid,
   Names names(takeNames(deck));
   resolveIn(deck, valid, names, "Asperity");
   for (auto const& name : to_be_used) {
-    names.requireUse(name);
+    names.requireUsed(name);
   }
 }
 } // namespace asperity::scenario

@@ -21,10 +21,10 @@ dynamics::VertexMotion vertexMotion(Problem<Dim> const& problem, RunView const& 
           view.condensation,  rows};
 }
 
-catalogue::VertexMotion motionAt(dynamics::VertexMotion const& vertices,
+catalogue::VertexFields motionAt(dynamics::VertexMotion const& vertices,
                                  dynamics::State const& state, bool with_velocity)
 {
-  catalogue::VertexMotion motion = {
+  catalogue::VertexFields motion = {
     vertices(*state.u), with_velocity ? vertices(*state.v) : Values(), {}};
   for (auto const& branch : state.branches) {
     motion.branches.push_back(vertices(*branch));
@@ -120,7 +120,7 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
     const dynamics::VertexMotion now(problem.model.body, frames, vertices, with_ghosts,
                                      view.condensation, are_few ? view.recovery_rows : nullptr);
     const dynamics::VertexMotion initial(problem.model.body, frames, vertices, with_ghosts);
-    return catalogue::VertexMotions{
+    return catalogue::VertexFieldSource{
       [=, &view](bool with_velocity) { return motionAt(now, *view.state, with_velocity); },
       [=, &problem](bool with_velocity) {
         return motionAt(initial, problem.model.initial, with_velocity);

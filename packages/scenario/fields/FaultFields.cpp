@@ -148,7 +148,7 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
   registerSample(
     registry, view,
     {problem.settings.friction.laws.hasState(),
-     problem.settings.friction.laws.bearsFriction() || isGiven(friction, "Normal Stress")});
+     problem.settings.friction.laws.hasFrictionLaw() || isGiven(friction, "Normal Stress")});
   registerState(registry, problem, view, friction);
   registerAddedFields(registry, problem.model.initial, problem.model.fault, view);
   registerFaultConstants(registry, problem);

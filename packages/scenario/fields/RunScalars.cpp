@@ -27,7 +27,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
         &dynamics::SolveCount::correction_iterations);
   count("v_cycles", "Multigrid cycles.", &dynamics::SolveCount::v_cycles);
   count("energy_rises", "Sweeps and corrections of TNNMG in which J grew; must be 0.",
-        &dynamics::SolveCount::rises);
+        &dynamics::SolveCount::energy_increases);
   count("failed_steps", "Steps that could not be solved.", &dynamics::SolveCount::failures);
   if (view.floor_count && view.floor_count->matters()) {
     add("share_on_floor", "", "Part of the fault whose normal stress is on its floor.",

@@ -93,13 +93,14 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
   auto const& rock = context.discretisation.rock;
   auto const& site = context.site;
   const bool has_fault = site.surface->numGlobalNodes() > 0;
-  auto beside = valuesBeside(has_fault ? site.materials : rock.materials, site.radiation_damping,
-                             model.initial, context.components(), context.communicator());
-  beside.has_fault = has_fault;
+  auto values_beside =
+    valuesBeside(has_fault ? site.materials : rock.materials, site.radiation_damping, model.initial,
+                 context.components(), context.communicator());
+  values_beside.has_fault = has_fault;
 
   Findings findings;
-  findings.largest_slip_rate = dynamics::largestSlipRate(beside);
-  findings.remarks.push_back(dynamics::describeSpeeds(beside));
+  findings.largest_slip_rate = dynamics::largestSlipRate(values_beside);
+  findings.remarks.push_back(dynamics::describeSpeeds(values_beside));
   for (auto const& process : model.fault.processes()) {
     auto const of_process = process->remarks();
     findings.remarks.insert(findings.remarks.end(), of_process.begin(), of_process.end());
@@ -108,8 +109,8 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
   auto& warnings = findings.warnings;
   append(fem::warnOfPieces(mesh, context.discretisation.dofs->communicator()), warnings);
   append(warnOfLocking(context.settings.bulk, rock, context.communicator()), warnings);
-  append(dynamics::warnOfImplausibleValues(beside), warnings);
-  if (context.settings.friction.laws.bearsFriction()) {
+  append(dynamics::warnOfImplausibleValues(values_beside), warnings);
+  if (context.settings.friction.laws.hasFrictionLaw()) {
     append(warnOfImplausibleFriction(friction, site.nodes, context.communicator()), warnings);
   }
   append(of_stress, warnings);

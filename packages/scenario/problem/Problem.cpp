@@ -63,7 +63,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   auto initial =
     makeInitialState(context, loaded.body, fault,
                      {start.displacement, loaded.traction.at(0), loaded.traction.direction()});
-  requireBearable(discretisation, loaded.body, *initial.u);
+  requireNoInitialYield(discretisation, loaded.body, *initial.u);
   auto const across = reactionSinceStart(context, loaded.body, initial);
   const bool follows = fault.normalStress().change() != dynamics::NormalStressChange::fixed;
   dynamics::Model model{std::move(loaded.body), std::move(fault), std::move(initial),

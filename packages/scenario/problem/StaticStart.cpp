@@ -103,7 +103,7 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
   auto const& friction = context.settings.friction;
   // Where friction does not ask for the normal stress, it need not follow from the static solution.
   const bool stress_given = isGiven(context.friction(), "Normal Stress") ||
-                            !friction.laws.bearsFriction() || surface.numGlobalNodes() == 0;
+                            !friction.laws.hasFrictionLaw() || surface.numGlobalNodes() == 0;
   ASPERITY_REQUIRE(stress_given || context.components() == Dim,
                    "Asperity / Friction / Normal Stress is missing: an antiplane model has no "
                    "normal stress of its own. Give it.");
@@ -149,13 +149,13 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
 }
 
 template <int Dim>
-void requireBearable(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
-                     Vector const& u)
+void requireNoInitialYield(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
+                           Vector const& u)
 {
   if (!body.cells) {
     return;
   }
-  auto const beyond = body.cells->furthestBeyond(u);
+  auto const beyond = body.cells->largestExcess(u);
   onEveryRank(*discretisation.dofs->communicator(), [&] {
     ASPERITY_REQUIRE(!beyond,
                      "Asperity / Bulk: at the start the rock at "
@@ -173,7 +173,8 @@ void requireBearable(Discretisation<Dim> const& discretisation, dynamics::Body c
                                     std::string const&);                                           \
   template StaticStart staticStart(SetupContext<Dim> const&, dynamics::Body const&,                \
                                    Vector const&);                                                 \
-  template void requireBearable(Discretisation<Dim> const&, dynamics::Body const&, Vector const&);
+  template void requireNoInitialYield(Discretisation<Dim> const&, dynamics::Body const&,           \
+                                      Vector const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

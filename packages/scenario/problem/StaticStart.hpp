@@ -35,6 +35,6 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
 
 // Throws InputError if rock yields under its stress at the start. Collective.
 template <int Dim>
-void requireBearable(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
-                     Vector const& u);
+void requireNoInitialYield(Discretisation<Dim> const& discretisation, dynamics::Body const& body,
+                           Vector const& u);
 } // namespace asperity::scenario

@@ -95,7 +95,7 @@ Wall hangingWall(FaultSides const& sides)
   return wall;
 }
 
-std::string inSpace(FaultSides const& sides)
+std::string describeInSpace(FaultSides const& sides)
 {
   auto const at = strikeAndDip(sides);
   std::string text = "slip has parts along the axes";
@@ -185,7 +185,7 @@ std::string senseInWords(FaultSides const& sides, double slip)
 std::string senseOfSlip(FaultSides const& sides)
 {
   if (sides.dimension == 3) {
-    return inSpace(sides);
+    return describeInSpace(sides);
   }
   const std::string moves = "positive slip moves it along ";
   if (sides.components == 1) {
@@ -259,8 +259,8 @@ std::string rakeAlong(FaultSides const& sides, std::optional<std::vector<double>
 
 // In space: of prescribed slip, or else of the shear traction that friction bears.
 template <int Dim>
-std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
-                       ParameterList const& deck, std::string const& fault)
+std::string describeRake(FaultSides const& sides, Problem<Dim> const& problem,
+                         ParameterList const& deck, std::string const& fault)
 {
   auto const& given = problem.discretisation.boundary.given_slip;
   if (std::find(given.begin(), given.end(), fault) == given.end()) {
@@ -278,7 +278,7 @@ std::string ofPositive(FaultSides const& sides, Problem<Dim> const& problem,
 // it, and its plus side is the outside (mesh::splitFaults); else the body lies all around it, or in
 // it.
 template <int Dim>
-std::string senseOfRing(Problem<Dim> const& problem)
+std::string describeRing(Problem<Dim> const& problem)
 {
   if (!problem.surface().otherSide().is_inside) {
     return "its plus side is the body";
@@ -289,7 +289,7 @@ std::string senseOfRing(Problem<Dim> const& problem)
                                       : "; positive slip moves it along +z, out of the plane");
 }
 
-std::string ofPlates(MeanFault const& fault, int dimension)
+std::string describePlates(MeanFault const& fault, int dimension)
 {
   auto const& sides = fault.sides;
   if (dimension == 3) {
@@ -319,15 +319,15 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
   for (auto const& name : problem.discretisation.boundary.faults) {
     auto const fault = meanOf(problem, deck, name);
     if (!fault.has_sides) {
-      lines.push_back("Fault '" + name + "': " + senseOfRing(problem) + ".");
+      lines.push_back("Fault '" + name + "': " + describeRing(problem) + ".");
       continue;
     }
     lines.push_back("Fault '" + name + "': its plus side" +
                     (surface.otherSide().is_inside ? "" : ", the body,") + " lies towards " +
                     directionText(fault.sides.plus, Dim) + "; " + senseOfSlip(fault.sides) +
-                    (Dim == 3 ? ofPositive(fault.sides, problem, deck, name) : "") + ".");
+                    (Dim == 3 ? describeRake(fault.sides, problem, deck, name) : "") + ".");
     if (surface.hasPlateRate() && length(fault.plates) > 0) {
-      lines.push_back(ofPlates(fault, Dim));
+      lines.push_back(describePlates(fault, Dim));
     }
   }
   return lines;

@@ -94,7 +94,7 @@ bool hasTip(Problem<Dim> const& problem, std::string const& boundary)
   return maxOverRanks(here ? 1 : 0, *problem.communicator) == 1;
 }
 
-bool isDoubtful(std::string const& topic, std::vector<Warning> const& warnings)
+bool hasWarning(std::string const& topic, std::vector<Warning> const& warnings)
 {
   return std::any_of(warnings.begin(), warnings.end(),
                      [&](Warning const& warning) { return warning.topic == topic; });
@@ -145,8 +145,8 @@ void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Descr
   auto const& laws = problem.settings.friction.laws;
   auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
   lines.push_back(
-    (laws.bearsFriction() ? laws.friction + " friction, state evolution: " + laws.state
-                          : std::string("No friction")) +
+    (laws.hasFrictionLaw() ? laws.friction + " friction, state evolution: " + laws.state
+                           : std::string("No friction")) +
     ". Time stepping: " + time.scheme + ", " + time.control + ". Linear correction: " +
     (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
   if (!problem.discretisation.boundary.given_slip.empty()) {
@@ -185,7 +185,7 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   // With a normal stress in the wrong unit the lengths of friction are wrong, not the body's.
   description.add(warnOfSize(
     bodySize(problem, deck),
-    isDoubtful("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution));
+    hasWarning("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution));
   describeHeldSlip(problem, deck, description);
   description.add(warnOfDrive(problem, deck));
   description.add(warnOfPrescribedSlip(problem, deck));
@@ -269,10 +269,10 @@ std::optional<Warning> warnOfDefect(dynamics::Energy const& energy)
       "help, please report this with the deck."};
 }
 
-std::string summarise(RunSummary const& summary, std::string const& of_outputs)
+std::string summarise(RunSummary const& summary, std::string const& output_report)
 {
   std::ostringstream text;
-  text << '\n' << of_outputs;
+  text << '\n' << output_report;
   auto const& count = summary.count;
   text << (summary.finished ? "Finished" : "Stopped") << " at t = " << formatNumber(summary.time)
        << " s after " << summary.num_steps << " steps.\n"
@@ -285,7 +285,7 @@ std::string summarise(RunSummary const& summary, std::string const& of_outputs)
     text << summary.forced_steps
          << " steps of the smallest size were accepted above the tolerance.\n";
   }
-  text << summary.of_floor << summary.of_watches;
+  text << summary.floor_report << summary.watch_report;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");
   text << "\nResults in " << summary.directory;
   return text.str();

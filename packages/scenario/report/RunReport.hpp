@@ -25,8 +25,8 @@ struct RunSummary
   std::int64_t num_steps = 0;
   std::int64_t forced_steps = 0; // accepted although the smallest step did not meet the tolerance
   dynamics::SolveCount count;
-  std::string of_floor;   // the line of FloorCount::report, or nothing
-  std::string of_watches; // the lines of dynamics::Watches::report
+  std::string floor_report; // the line of FloorCount::report, or nothing
+  std::string watch_report; // the lines of dynamics::Watches::report
   dynamics::Energy energy;
   int setups = 0;
   double setup_seconds = 0;
@@ -38,5 +38,5 @@ struct RunSummary
 std::optional<Warning> warnOfDefect(dynamics::Energy const& energy);
 
 // The closing paragraphs: the report of the outputs, the effort and the energy.
-std::string summarise(RunSummary const& summary, std::string const& of_outputs);
+std::string summarise(RunSummary const& summary, std::string const& output_report);
 } // namespace asperity::scenario

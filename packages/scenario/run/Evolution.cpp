@@ -199,7 +199,7 @@ void Evolution<Dim>::advance()
 }
 
 template <int Dim>
-void Evolution<Dim>::account()
+void Evolution<Dim>::updateTotals()
 {
   requireFinite();
   forced_steps_ += view_.step.within_tolerance ? 0 : 1;
@@ -226,7 +226,8 @@ io::StepInfo Evolution<Dim>::stepInfo() const
 template <int Dim>
 void Evolution<Dim>::watch()
 {
-  dynamics::WatchedState now{state_, sample_, balance_.force(), count_.rises, time(), {}};
+  dynamics::WatchedState now{state_, sample_, balance_.force(), count_.energy_increases,
+                             time(), {}};
   if (has_stepped_) {
     auto const& step = view_.step;
     const bool is_smallest =
@@ -246,8 +247,8 @@ RunSummary Evolution<Dim>::summary() const
   summary.num_steps = numSteps();
   summary.forced_steps = forced_steps_;
   summary.count = count_;
-  summary.of_floor = floor_count_.report();
-  summary.of_watches = watches_.report();
+  summary.floor_report = floor_count_.report();
+  summary.watch_report = watches_.report();
   summary.energy = balance_.energy();
   summary.setups = coupled_step_->solvers().setups();
   summary.setup_seconds = coupled_step_->solvers().setupSeconds();

@@ -58,7 +58,7 @@ public:
   void advance();
   // Adds that step to energy, effort and the count of the floor. Throws SolveError if a value of
   // the state is not finite: the message names field, place, step and time.
-  void account();
+  void updateTotals();
 
   bool atEnd() const { return state_.time >= end_; }
   double time() const { return clock_.seconds(state_.time); } // [s]

@@ -205,9 +205,9 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
 {
   auto const order_there = nodesOfFriction(other, from), order = nodesOfFriction(problem, to);
   const catalogue::Interpolation along_fault(from, to.coordinates, run.string());
-  const auto namesOf = [](State const& of) {
+  const auto namesOf = [](State const& run_state) {
     std::vector<std::string> names;
-    for (auto const& field : of.added) {
+    for (auto const& field : run_state.added) {
       names.push_back(field.info->name);
     }
     return names;

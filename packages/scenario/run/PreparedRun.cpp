@@ -1,6 +1,6 @@
 #include "scenario/run/PreparedRun.hpp"
 
-#include "catalogue/receivers/OnFault.hpp"
+#include "catalogue/receivers/ReceiversOnFault.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/fields/OutputFields.hpp"

@@ -67,10 +67,10 @@ int Simulation<Dim>::run()
     record_.fail(error);
     throw;
   } catch (std::exception const& error) {
-    endEarly(error);
+    recordFailure(error);
     throw;
   } catch (...) {
-    endEarly(std::runtime_error("an exception of unknown type was thrown."));
+    recordFailure(std::runtime_error("an exception of unknown type was thrown."));
     throw;
   }
 }
@@ -162,16 +162,16 @@ void Simulation<Dim>::watch()
   for (auto const& line : notes.lines) {
     record_.message(line);
   }
-  evolution_.watches().requireUse();
+  evolution_.watches().requireUsefulRun();
 }
 
 // If a single rank fails, the others wait in a collective operation. A checkpoint is collective,
 // too, and is written only if all ranks come here.
 template <int Dim>
-void Simulation<Dim>::endEarly(std::exception const& error)
+void Simulation<Dim>::recordFailure(std::exception const& error)
 {
   if (meeting_point_.meet(timeout)) {
-    saveWhatThereIs();
+    saveCompleteSteps();
   }
   record_.fail(error);
 }
@@ -179,7 +179,7 @@ void Simulation<Dim>::endEarly(std::exception const& error)
 // An error in here must not hide the reason why the run ends. If a step has been made but not
 // written, the last checkpoint stays: it has the last complete state.
 template <int Dim>
-void Simulation<Dim>::saveWhatThereIs()
+void Simulation<Dim>::saveCompleteSteps()
 {
   try {
     if (step_is_complete_) {
@@ -231,7 +231,7 @@ void Simulation<Dim>::advance()
 {
   evolution_.advance();
   step_is_complete_ = false;
-  evolution_.account();
+  evolution_.updateTotals();
   auto info = evolution_.stepInfo();
   info.wall_time = record_.wallTime();
   write(info);

@@ -36,8 +36,8 @@ private:
   void recordProgress(io::StepInfo const& info);
   void writeCheckpoint();
   void watch();
-  void endEarly(std::exception const& error);
-  void saveWhatThereIs();
+  void recordFailure(std::exception const& error);
+  void saveCompleteSteps();
   void report(bool finished);
 
   PreparedRun<Dim>& prepared_;

@@ -85,7 +85,7 @@ Misfit misfit(Tractions const& rock, Tractions const& fault, bool with_normal)
 
 // (num local vertices) whether a cell that takes the stress has it.
 template <int Dim>
-std::vector<bool> besideRock(Mesh<Dim> const& mesh, fem::YieldingRock const& rock)
+std::vector<bool> verticesOfYieldingRock(Mesh<Dim> const& mesh, fem::YieldingRock const& rock)
 {
   std::vector<bool> result(mesh.vertices.size(), false);
   for (auto const& part : rock.parts) {
@@ -167,7 +167,7 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
           .at(0);
     }
   });
-  auto const beside = besideRock(mesh, rock);
+  auto const touches_rock = verticesOfYieldingRock(mesh, rock);
   const std::size_t num_tangents = surface.numTangents();
   std::array<double, 2> measure{}; // where they differ, and all of it
   double largest = 0;
@@ -175,7 +175,7 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
   for (int i = 0; i < surface.numNodes(); ++i) {
     auto const& node = surface[i];
     if (!surface.slides(i) || std::none_of(node.copies.begin(), node.copies.end(),
-                                           [&](int vertex) { return beside[vertex]; })) {
+                                           [&](int vertex) { return touches_rock[vertex]; })) {
       continue;
     }
     std::array<double, 6> here{};
@@ -201,16 +201,16 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
   const double most = maxOverRanks(largest, communicator);
   const bool is_here = most > 0 && largest == most;
   const int rank = communicator.getRank();
-  const int teller = minOverRanks(is_here ? rank : communicator.getSize(), communicator);
-  auto const told = gatherToAll(rank == teller ? std::vector<char>(worst.begin(), worst.end())
-                                               : std::vector<char>(),
-                                communicator);
+  const int worst_rank = minOverRanks(is_here ? rank : communicator.getSize(), communicator);
+  auto const worst_text = gatherToAll(
+    rank == worst_rank ? std::vector<char>(worst.begin(), worst.end()) : std::vector<char>(),
+    communicator);
   return Warning{"stress at the start",
                  "Bulk / Initial Stress does not fit the stress on the fault: over " +
                    formatShort(std::round(1000 * measure[0] / measure[1]) / 10) +
                    " % of it, -sigma n of the rock (n points out of the plus side) differs by more "
                    "than 1 % from Friction / Shear Traction or Normal Stress, most " +
-                   std::string(told.begin(), told.end()) +
+                   std::string(worst_text.begin(), worst_text.end()) +
                    ". The rock then yields under another stress than the fault bears. Check signs "
                    "and units of both; tension is positive in Initial Stress."};
 }

@@ -32,10 +32,10 @@ void FrontWatch::note(dynamics::WatchedState const& now, dynamics::Notes& notes)
   mine.fill(std::numeric_limits<double>::lowest());
   place_ = maxOverRanks(found->node >= 0 ? fault_.surface()[found->node].place : mine,
                         *fault_.surface().communicator());
-  if (cells_ >= fewest_cells_of_front || cells_ > told_ / 2) {
+  if (cells_ >= fewest_cells_of_front || cells_ > warned_cells_ / 2) {
     return;
   }
-  told_ = cells_;
+  warned_cells_ = cells_;
   notes.add(warnOfFront(cells_, "at t = " + formatShort(time_) + " s, " +
                                   formatPoint({place_[0], place_[1], place_[2]})));
 }
@@ -58,7 +58,7 @@ void FrontWatch::save(Archive& archive) const
   archive.set("cells", cells_);
   archive.set("length", length_);
   archive.set("time", time_);
-  archive.set("told", told_);
+  archive.set("told", warned_cells_);
   for (int k = 0; k < 3; ++k) {
     archive.set("place_" + std::to_string(k), place_[k]);
   }
@@ -72,7 +72,7 @@ void FrontWatch::restore(Archive const& archive, Restart const&)
   cells_ = archive.getDouble("cells");
   length_ = archive.getDouble("length");
   time_ = archive.getDouble("time");
-  told_ = archive.getDouble("told"); // the restart has repeated that warning
+  warned_cells_ = archive.getDouble("told"); // the restart has repeated that warning
   for (int k = 0; k < 3; ++k) {
     place_[k] = archive.getDouble("place_" + std::to_string(k));
   }

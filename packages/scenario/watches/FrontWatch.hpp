@@ -35,6 +35,6 @@ private:
   double cells_ = std::numeric_limits<double>::infinity(); // fewest so far
   double length_ = 0, time_ = 0;                           // of that zone [m], [s]
   std::array<double, 3> place_{};                          // [m]
-  double told_ = std::numeric_limits<double>::infinity();
+  double warned_cells_ = std::numeric_limits<double>::infinity();
 };
 } // namespace asperity::scenario

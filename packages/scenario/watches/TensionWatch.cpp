@@ -149,8 +149,8 @@ void TensionWatch::note(dynamics::WatchedState const& watched, dynamics::Notes& 
     most_.time = now.time;
     most_.place = now.place;
   }
-  if (now.share > 2 * told_) {
-    told_ = now.share;
+  if (now.share > 2 * warned_share_) {
+    warned_share_ = now.share;
     notes.add(Warning{topic, "At t = " + formatShort(watched.time) + " s the body " + text(now)});
   }
 }
@@ -184,7 +184,7 @@ void TensionWatch::save(Archive& archive) const
   archive.set("share", most_.share);
   archive.set("largest", most_.largest);
   archive.set("time", most_.time);
-  archive.set("told", told_);
+  archive.set("told", warned_share_);
   for (int d = 0; d < 3; ++d) {
     archive.set("place_" + std::to_string(d), most_.place[d]);
   }
@@ -199,7 +199,7 @@ void TensionWatch::restore(Archive const& archive, Restart const&)
   most_.share = archive.getDouble("share");
   most_.largest = archive.getDouble("largest");
   most_.time = archive.getDouble("time");
-  told_ = archive.getDouble("told");
+  warned_share_ = archive.getDouble("told");
   for (int d = 0; d < 3; ++d) {
     most_.place[d] = archive.getDouble("place_" + std::to_string(d));
   }

@@ -48,7 +48,7 @@ private:
   double sliding_ = 0; // measure of the nodes that slide
   double loads_ = 0;   // the largest load along the fault at the start [Pa]
   NodeView sigma_0_, R_;
-  Tension most_;    // the largest share, the largest tension with its time and place
-  double told_ = 0; // share at the last warning
+  Tension most_;            // the largest share, the largest tension with its time and place
+  double warned_share_ = 0; // share at the last warning
 };
 } // namespace asperity::scenario

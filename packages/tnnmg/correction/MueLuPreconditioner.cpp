@@ -39,12 +39,12 @@ struct NodeViews
 void leaveOut(MultigridNodes const& nodes, MultiVector& x)
 {
   const auto values = x.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  const NodeViews of(nodes);
+  const NodeViews node_views(nodes);
   Kokkos::parallel_for(
     "asperity::tnnmg::leaveOut", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
-      const bool leave = of.isRemoved(node) || of.isStiff(node);
-      for (int t = 0; leave && t < of.dofs.extent_int(1); ++t) {
-        values(of.dofs(node, t), 0) = 0;
+      const bool leave = node_views.isRemoved(node) || node_views.isStiff(node);
+      for (int t = 0; leave && t < node_views.dofs.extent_int(1); ++t) {
+        values(node_views.dofs(node, t), 0) = 0;
       }
     });
 }
@@ -54,21 +54,21 @@ void solveStiff(MultigridNodes const& nodes, MultiVector const& r, MultiVector& 
 {
   const auto from = r.getLocalViewDevice(Tpetra::Access::ReadOnly);
   const auto to = z.getLocalViewDevice(Tpetra::Access::ReadWrite);
-  const NodeViews of(nodes);
+  const NodeViews node_views(nodes);
   Kokkos::parallel_for(
     "asperity::tnnmg::solveStiff", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
-      if (of.isRemoved(node) || !of.isStiff(node)) {
+      if (node_views.isRemoved(node) || !node_views.isStiff(node)) {
         return;
       }
-      NodeBlock sum = of.H(node);
-      sum += of.B(node);
+      NodeBlock sum = node_views.H(node);
+      sum += node_views.B(node);
       const NodeBlock inverted = inverse(sum);
       for (int s = 0; s < inverted.size; ++s) {
         double value = 0;
         for (int t = 0; t < inverted.size; ++t) {
-          value += inverted.entry[s][t] * from(of.dofs(node, t), 0);
+          value += inverted.entry[s][t] * from(node_views.dofs(node, t), 0);
         }
-        to(of.dofs(node, s), 0) = value;
+        to(node_views.dofs(node, s), 0) = value;
       }
     });
 }
@@ -78,14 +78,16 @@ void solveStiff(MultigridNodes const& nodes, MultiVector const& r, MultiVector& 
 void addBlocks(MultigridNodes const& nodes, CrsMatrix& A)
 {
   const auto matrix = A.getLocalMatrixDevice();
-  const NodeViews of(nodes);
+  const NodeViews node_views(nodes);
   Kokkos::parallel_for(
     "asperity::tnnmg::addBlocks", RangePolicy(0, nodes.size()), KOKKOS_LAMBDA(int node) {
-      const NodeBlock added = of.isRemoved(node) || of.isStiff(node) ? of.B(node) : of.H(node);
+      const NodeBlock added = node_views.isRemoved(node) || node_views.isStiff(node)
+                                ? node_views.B(node)
+                                : node_views.H(node);
       for (int s = 0; s < added.size; ++s) {
         for (int t = 0; t < added.size; ++t) {
-          const LocalOrdinal column = of.dofs(node, t);
-          matrix.sumIntoValues(of.dofs(node, s), &column, 1, &added.entry[s][t]);
+          const LocalOrdinal column = node_views.dofs(node, t);
+          matrix.sumIntoValues(node_views.dofs(node, s), &column, 1, &added.entry[s][t]);
         }
       }
     });

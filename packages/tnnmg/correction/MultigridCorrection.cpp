@@ -19,13 +19,13 @@ namespace
 // on which a vector vanishes, as between the nodes of a wall.
 RCP<const MultiVector> scaledAt(MultiVector const& vectors, IndexView const& rows)
 {
-  constexpr double trace = 1e-8;
+  constexpr double factor = 1e-8;
   const auto result = rcp(new MultiVector(vectors, Teuchos::Copy));
   const auto values = result->getLocalViewDevice(Tpetra::Access::ReadWrite);
   Kokkos::parallel_for(
     "asperity::tnnmg::scaledAt", RangePolicy(0, rows.extent_int(0)), KOKKOS_LAMBDA(int k) {
       for (int column = 0; column < values.extent_int(1); ++column) {
-        values(rows(k), column) *= trace;
+        values(rows(k), column) *= factor;
       }
     });
   return result;
@@ -70,9 +70,9 @@ struct MultigridCorrection::Implementation
       , residual(problem.Z->getRowMap())
   {
     if (parameters.cycle == Parameters::CycleKind::own) {
-      ours = rcp(
+      own_preconditioner = rcp(
         new detail::OwnPreconditioner(hierarchy, weights, problem.Z, nodes, parameters.smoother));
-      preconditioner = ours;
+      preconditioner = own_preconditioner;
     } else {
       preconditioner = rcp(new detail::MueLuPreconditioner(
         hierarchy.prolongators(), parameters.muelu_cycle, problem.Z, nodes));
@@ -99,8 +99,10 @@ struct MultigridCorrection::Implementation
     if (parameters.method == Parameters::Method::v_cycles) {
       return descend(*A, *preconditioner, residual, relative_tolerance, parameters.v_cycles, c);
     }
-    if (!ours.is_null() && relative_tolerance >= multigrid::FloatConjugateGradients::certain) {
-      return ours->solveLoosely(residual, relative_tolerance, parameters.max_iterations, c);
+    if (!own_preconditioner.is_null() &&
+        relative_tolerance >= multigrid::FloatConjugateGradients::smallest_tolerance) {
+      return own_preconditioner->solveInSinglePrecision(residual, relative_tolerance,
+                                                        parameters.max_iterations, c);
     }
     return detail::conjugateGradients(A, preconditioner, residual, relative_tolerance,
                                       parameters.max_iterations, parameters.belos, c);
@@ -110,7 +112,7 @@ struct MultigridCorrection::Implementation
   std::shared_ptr<detail::MultigridNodes> nodes;
   RCP<const detail::MultigridOperator> A;
   RCP<detail::Preconditioner> preconditioner;
-  RCP<detail::OwnPreconditioner> ours; // the same, unless the cycle is MueLu's
+  RCP<detail::OwnPreconditioner> own_preconditioner; // the same, unless the cycle is MueLu's
   Vector residual;
   int rebuilds = 0;
 };

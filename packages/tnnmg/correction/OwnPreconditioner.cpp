@@ -81,9 +81,10 @@ void OwnPreconditioner::apply(MultiVector const& r, MultiVector& z, Teuchos::ETr
   cycle_.fromRows(result.z, norm, numbersOf(z.getLocalViewDevice(Tpetra::Access::OverwriteAll)));
 }
 
-multigrid::IterationResult OwnPreconditioner::solveLoosely(Vector const& r,
-                                                           double relative_tolerance,
-                                                           int max_iterations, Vector& c) const
+multigrid::IterationResult OwnPreconditioner::solveInSinglePrecision(Vector const& r,
+                                                                     double relative_tolerance,
+                                                                     int max_iterations,
+                                                                     Vector& c) const
 {
   const double norm = r.norm2();
   const auto result = gradients_.solve(

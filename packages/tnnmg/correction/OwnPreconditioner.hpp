@@ -1,8 +1,8 @@
 #pragma once
 
 #include "multigrid/FloatConjugateGradients.hpp"
-#include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 #include "tnnmg/correction/Preconditioner.hpp"
+#include "tnnmg/hierarchy/MultigridHierarchy.hpp"
 
 #include <memory>
 #include <string>
@@ -27,9 +27,9 @@ public:
              double alpha = 1, double beta = 0) const override;
 
   // (Z + H) c = r by conjugate gradients in single precision with this preconditioner, for
-  // relative tolerances from FloatConjugateGradients::certain.
-  multigrid::IterationResult solveLoosely(Vector const& r, double relative_tolerance,
-                                          int max_iterations, Vector& c) const;
+  // relative tolerances from FloatConjugateGradients::smallest_tolerance.
+  multigrid::IterationResult solveInSinglePrecision(Vector const& r, double relative_tolerance,
+                                                    int max_iterations, Vector& c) const;
 
 private:
   mutable multigrid::Cycle cycle_;

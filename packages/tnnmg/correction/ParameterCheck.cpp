@@ -1,8 +1,8 @@
 #include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include "base/Errors.hpp"
-#include "tnnmg/hierarchy/TrilinosMessages.hpp"
 #include "tnnmg/correction/BelosConjugateGradients.hpp"
+#include "tnnmg/hierarchy/TrilinosMessages.hpp"
 
 #include <MueLu_VerboseObject.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
@@ -97,7 +97,7 @@ void MultigridCorrection::requireAccepted(Teuchos::ParameterList const& paramete
   } catch (std::exception const& error) {
     throw InputError("Asperity / TNNMG / MueLu Correction: a small problem was not solved with "
                      "the lists MueLu and Belos of the deck. " +
-                     detail::complaint(error.what()) + " Correct the lists or leave them out.");
+                     detail::usefulPart(error.what()) + " Correct the lists or leave them out.");
   }
 }
 } // namespace asperity::tnnmg

@@ -79,7 +79,7 @@ void DenseSystem<Scalar>::readDiagonal()
 // suffices where Z is nearly diagonal, as in the steps of a rupture: radiation damping or mass
 // outweigh the stress that a step adds.
 template <class Scalar>
-bool DenseSystem<Scalar>::isWorthTryingDiagonal() const
+bool DenseSystem<Scalar>::prefersDiagonal() const
 {
   const double taking_part = mask_.sum();
   const double product = 2. * static_cast<double>(Z_.size());
@@ -185,7 +185,7 @@ CorrectionResult DenseSystem<Scalar>::solve(NonlinearBlocks const& blocks, Eigen
     factored_.clear();
     readDiagonal();
   }
-  if (has_factor_ || isWorthTryingDiagonal()) {
+  if (has_factor_ || prefersDiagonal()) {
     result = iterate(right, relative_tolerance, solution);
   }
   if (!result.converged && factorise()) {

@@ -37,7 +37,7 @@ private:
 
   void read(NonlinearBlocks const& given);
   void readDiagonal();
-  bool isWorthTryingDiagonal() const;
+  bool prefersDiagonal() const;
   bool factorise();
   Values apply(Values const& x) const;
   Values precondition(Values const& x) const;

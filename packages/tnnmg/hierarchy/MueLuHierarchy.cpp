@@ -108,14 +108,14 @@ namespace
 {
 // A failure is due to the matrix or the list, except a lack of memory, which is passed on.
 template <class Make>
-auto orSolveError(Make const& make)
+auto asSolveError(Make const& make)
 {
   try {
     return make();
   } catch (std::bad_alloc const&) {
     throw;
   } catch (std::exception const& error) {
-    throw SolveError("MueLu cannot set up a multigrid hierarchy: " + complaint(error.what()) +
+    throw SolveError("MueLu cannot set up a multigrid hierarchy: " + usefulPart(error.what()) +
                      " Other parameters in the list MueLu, or 'Linear Correction' = Direct on one "
                      "rank, may help.");
   }
@@ -125,7 +125,7 @@ auto orSolveError(Make const& make)
 MueLuHierarchy::MueLuHierarchy(RCP<const CrsMatrix> const& A,
                                RCP<const MultiVector> const& near_null_space,
                                Teuchos::ParameterList const& muelu)
-    : implementation_(orSolveError([&] {
+    : implementation_(asSolveError([&] {
       return std::make_unique<Implementation>(A, near_null_space, std::vector<RCP<XpetraMatrix>>(),
                                               muelu);
     }))
@@ -135,7 +135,7 @@ MueLuHierarchy::MueLuHierarchy(RCP<const CrsMatrix> const& A,
 MueLuHierarchy::MueLuHierarchy(RCP<const CrsMatrix> const& A,
                                std::vector<RCP<const CrsMatrix>> const& P,
                                Teuchos::ParameterList const& muelu)
-    : implementation_(orSolveError([&] {
+    : implementation_(asSolveError([&] {
       auto const wrapped = wrapAll(P);
       return std::make_unique<Implementation>(A, Teuchos::null, wrapped,
                                               withProlongators(muelu, wrapped));

@@ -4,7 +4,7 @@
 
 namespace asperity::tnnmg::detail
 {
-std::string complaint(std::string const& thrown)
+std::string usefulPart(std::string const& thrown)
 {
   constexpr std::size_t longest = 400;
   std::istringstream lines(thrown);

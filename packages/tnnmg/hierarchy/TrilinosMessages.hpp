@@ -5,5 +5,5 @@
 namespace asperity::tnnmg::detail
 {
 // Returns, in one line, the part of a long Trilinos error message that helps a user.
-std::string complaint(std::string const& thrown);
+std::string usefulPart(std::string const& thrown);
 } // namespace asperity::tnnmg::detail

@@ -59,7 +59,7 @@ std::string json(Accesses const& accesses)
 void makeStep(scenario::Evolution<3>& evolution)
 {
   evolution.advance();
-  evolution.account();
+  evolution.updateTotals();
   evolution.watch();
 }
 

@@ -95,12 +95,13 @@ TEST(WriteFailure, SaysWhatTheSystemSays)
 {
   test::TemporaryDirectory directory;
   auto const folder = std::filesystem::path(directory.file("x")).parent_path();
-  EXPECT_EQ(whyNotWritten(folder / "there is space"), "Is the disk full?");
+  EXPECT_EQ(writeFailureReason(folder / "there is space"), "Is the disk full?");
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   std::ofstream(folder / "mine") << "words";
-  EXPECT_EQ(whyNotWritten(folder / "mine"), "Is the disk full?");
+  EXPECT_EQ(writeFailureReason(folder / "mine"), "Is the disk full?");
   EXPECT_EQ(std::filesystem::file_size(folder / "mine"), 5u);
-  EXPECT_EQ(whyNotWritten(folder / "gone" / "mine"), "The system says: No such file or directory.");
-  EXPECT_EQ(whyNotWritten(folder), "The system says: Is a directory.");
+  EXPECT_EQ(writeFailureReason(folder / "gone" / "mine"),
+            "The system says: No such file or directory.");
+  EXPECT_EQ(writeFailureReason(folder), "The system says: Is a directory.");
 }
 } // namespace

@@ -26,8 +26,8 @@ public:
       : factors_(mine([&](int node) { return factors[node % factors.size()]; }))
       , weights_(mine([](int node) { return 1 + 0.1 * node; }))
       , solution_(mine([](int node) { return std::sin(1. + node); }))
-      , fault(testing::surfaceOf(weights_, 1, std::vector<int>(num_nodes, 0),
-                                 fem::OtherSide::rigid_foundation, Tpetra::getDefaultComm()))
+      , fault(dynamics::test::surfaceOf(weights_, 1, std::vector<int>(num_nodes, 0),
+                                        fem::OtherSide::rigid_foundation, Tpetra::getDefaultComm()))
       , solution(view(solution_))
   {
   }

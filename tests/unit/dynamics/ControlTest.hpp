@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 inline const DyadicTime half_seconds(0.5, 16);
 
@@ -56,7 +56,7 @@ class ControlTest : public ::testing::Test
 protected:
   explicit ControlTest(RateUpdate const& update = RateUpdate::newmark(0.25),
                        ModelOptions const& options = slidingBlock(2))
-      : model(options, fem::testing::selfCommunicator())
+      : model(options, fem::test::selfCommunicator())
       , stepper(model, update, half_seconds)
       , state(slidingState(model))
   {
@@ -198,4 +198,4 @@ protected:
   State state;
   StatesInMemory states;
 };
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 DenseState denseOf(State const& state)
 {
@@ -136,4 +136,4 @@ DenseState DenseReference::step(DenseState const& from, double t1, double tau) c
   }
   return to;
 }
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

@@ -2,7 +2,7 @@
 
 #include "unit/dynamics/SmallModel.hpp"
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 // A state in plain vectors; alpha at the fault nodes.
 struct DenseState
@@ -59,4 +59,4 @@ private:
   Eigen::MatrixXd mass_, viscosity_, stiffness_;
   std::vector<int> free_;
 };
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

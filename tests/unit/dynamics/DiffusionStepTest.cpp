@@ -13,7 +13,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -26,7 +26,7 @@ double sumOf(std::vector<double> const& S, NodeView const& p)
   for (std::size_t i = 0; i < S.size(); ++i) {
     mine += S[i] * host(i);
   }
-  return sumOverRanks(mine, *fem::testing::worldCommunicator());
+  return sumOverRanks(mine, *fem::test::worldCommunicator());
 }
 
 // A fault on the bottom of a rectangle, or of a box, with the storage of its nodes.
@@ -34,7 +34,7 @@ template <int Dim>
 struct Diffusion
 {
   Diffusion(GlobalMesh<Dim> const& whole, std::function<bool(double)> const& is_fixed)
-      : model(optionsOf(whole), fem::testing::worldCommunicator())
+      : model(optionsOf(whole), fem::test::worldCommunicator())
       , mesh(fem::makeFaultMesh(model.mesh, *model.surface))
   {
     std::vector<bool> fixed;
@@ -91,7 +91,7 @@ struct Diffusion
     for (int node = 0; node < model.surface->numNodes(); ++node) {
       largest = std::max(largest, std::abs(host(node) - exact((*model.surface)[node].place)));
     }
-    return maxOverRanks(largest, *fem::testing::worldCommunicator());
+    return maxOverRanks(largest, *fem::test::worldCommunicator());
   }
 
   ModelIn<Dim> model;
@@ -107,7 +107,7 @@ const auto at_the_left = [](double x) { return x < 1e-9; };
 double errorOfMode(int cells, int steps)
 {
   constexpr double time = 5;
-  Diffusion<2> line(fem::testing::uniformRectangle(cells, 2, 1, 1), at_the_left);
+  Diffusion<2> line(fem::test::uniformRectangle(cells, 2, 1, 1), at_the_left);
   auto const p = line.start([](Point<2> const& x) { return std::sin(M_PI / 2 * x[0]); });
   line.advance(steps, time / steps, line.none(), p);
   const double decay = std::exp(-alpha * M_PI * M_PI / 4 * time);
@@ -126,7 +126,7 @@ double pointSource(double r)
 double errorOfPointSource(int cells)
 {
   constexpr double half = 10;
-  Diffusion<3> plane(fem::testing::uniformBox({cells, 1, cells}, {2 * half, 1, 2 * half}), nowhere);
+  Diffusion<3> plane(fem::test::uniformBox({cells, 1, cells}, {2 * half, 1, 2 * half}), nowhere);
   auto const p = plane.start([](auto const&) { return 0.; });
   plane.advance(200, pumped / 200, plane.sourceAt({half, 0, half}, 1), p);
   auto const host = toHost(p);
@@ -140,7 +140,7 @@ double errorOfPointSource(int cells)
       largest = std::max(largest, std::abs(host(node) - pointSource(r)));
     }
   }
-  return maxOverRanks(largest, *fem::testing::worldCommunicator());
+  return maxOverRanks(largest, *fem::test::worldCommunicator());
 }
 } // namespace
 
@@ -156,7 +156,7 @@ TEST(DiffusionStep, IsOfSecondOrderInSpaceAndTime)
 
 TEST(DiffusionStep, KeepsTheVolumeAndFillsAClosedFault)
 {
-  auto mesh = fem::testing::uniformRectangle(40, 2, 4, 1);
+  auto mesh = fem::test::uniformRectangle(40, 2, 4, 1);
   for (auto& x : mesh.vertices) {
     x[0] += 0.01 * std::sin(M_PI * x[0]); // cells of different sizes
   }
@@ -177,7 +177,7 @@ TEST(DiffusionStep, KeepsTheVolumeAndFillsAClosedFault)
 
 TEST(DiffusionStep, KeepsTheVolumeOnASurface)
 {
-  Diffusion<3> square(fem::testing::uniformCube(8), nowhere);
+  Diffusion<3> square(fem::test::uniformCube(8), nowhere);
   auto const p = square.start([](auto const&) { return 0.; });
   auto const q = square.sourceAt({0.31, 0.47, 0}, 1);
   square.advance(50, 0.02, q, p);
@@ -197,7 +197,7 @@ TEST(DiffusionStep, ReachesThePressureOfAPointSourceOnAPlane)
 
 TEST(DiffusionStep, DampsStiffModesAtOnce)
 {
-  Diffusion<2> line(fem::testing::uniformRectangle(64, 2, 1, 1), at_the_left);
+  Diffusion<2> line(fem::test::uniformRectangle(64, 2, 1, 1), at_the_left);
   auto const p = line.start([](Point<2> const& x) { return x[0] < 0.5 ? 0. : 1.; });
   line.advance(1, 1e9, line.none(), p);
   EXPECT_LT(line.error(p, [](auto const&) { return 0.; }), 1e-5);
@@ -205,7 +205,7 @@ TEST(DiffusionStep, DampsStiffModesAtOnce)
 
 TEST(Wells, AreRefusedByNameOffTheFault)
 {
-  Diffusion<2> line(fem::testing::uniformRectangle(10, 2, 1, 1), nowhere);
+  Diffusion<2> line(fem::test::uniformRectangle(10, 2, 1, 1), nowhere);
   const auto make = [&](std::vector<double> const& place) {
     ParameterList list;
     auto& well = list.sublist("Wells").sublist("GPK 1");
@@ -216,12 +216,12 @@ TEST(Wells, AreRefusedByNameOffTheFault)
     completeAndValidate(list, *valid, "Friction");
     return Wells(list.sublist("Wells"), "Friction / Wells", *line.mesh);
   };
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [&] {
       make({0.5, 0.0011});
     },
     {"Friction / Wells / GPK 1", "0.0011 m", "0.1 m"});
-  test::expectRefusal([&] { make({0.5, 0, 0}); }, {"GPK 1 / Place", "3 numbers"});
+  asperity::test::expectRefusal([&] { make({0.5, 0, 0}); }, {"GPK 1 / Place", "3 numbers"});
   const auto well = make({0.52, 0.0009});
   for (const double t : {1., 3.}) {
     std::vector<double> rates(line.S.size(), 0.);
@@ -230,7 +230,7 @@ TEST(Wells, AreRefusedByNameOffTheFault)
     for (const double rate : rates) {
       mine += rate;
     }
-    EXPECT_NEAR(sumOverRanks(mine, *fem::testing::worldCommunicator()), t < 2 ? 3 : 0, 1e-14);
+    EXPECT_NEAR(sumOverRanks(mine, *fem::test::worldCommunicator()), t < 2 ? 3 : 0, 1e-14);
   }
 }
 } // namespace asperity::dynamics

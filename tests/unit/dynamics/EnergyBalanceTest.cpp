@@ -14,14 +14,14 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
 const DyadicTime milliseconds(4e-3, 4);
 
 // With an acceleration that balances momentum.
-State balanced(testing::Model const& model, State state)
+State balanced(dynamics::test::Model const& model, State state)
 {
   auto load = model.body.vector();
   auto prescribed = model.body.vector();
@@ -36,7 +36,10 @@ State balanced(testing::Model const& model, State state)
   return state;
 }
 
-State balancedState(testing::Model const& model) { return balanced(model, slidingState(model)); }
+State balancedState(dynamics::test::Model const& model)
+{
+  return balanced(model, slidingState(model));
+}
 
 void advance(Stepper& stepper, State& state, int level)
 {
@@ -51,7 +54,7 @@ TEST(EnergyBalance, ClosesWithTheTrapezoidalRuleWhateverTheSteps)
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
     options.cohesion = 15;
-    const testing::Model model(options, fem::testing::selfCommunicator());
+    const dynamics::test::Model model(options, fem::test::selfCommunicator());
     Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
     EnergyBalance balance(model.body, model.fault, milliseconds);
     auto state = balancedState(model);
@@ -84,7 +87,7 @@ TEST(EnergyBalance, ClosesWithTheTrapezoidalRuleWhateverTheSteps)
 // However loose the coupling: what counts is the state that the velocity was computed with.
 TEST(EnergyBalance, ClosesWhereAlphaIsStillMoving)
 {
-  const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(slidingBlock(2), fem::test::selfCommunicator());
   auto loose = tightCoupling();
   loose.tolerance = 0.1;
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds, loose);
@@ -108,7 +111,7 @@ TEST(EnergyBalance, SplitsTheWorkOfFrictionAndOfThePushedBoundary)
   auto const pushed = [](auto const&, double) { return 1e-3; };
   options.conditions = {{"Push", "right", fem::PrescribedVelocity<2>{{1, 0}, pushed}}};
   options.b = 0;
-  const testing::Model model(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model model(options, fem::test::selfCommunicator());
   auto state = model.restingState();
   model.setFree(*state.v, [](auto const&) -> std::array<double, 2> { return {1e-3, 0}; });
   // K u = traction - friction, at the fixed dofs the push.
@@ -144,7 +147,7 @@ TEST(EnergyBalance, NamesWhatBackwardEulerDissipates)
   options.sigma_n = options.traction = 0;
   options.conditions = {};
   options.material.shear_viscosity = 0;
-  const testing::Model model(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model model(options, fem::test::selfCommunicator());
   auto const M = denseOf(*model.body.matrices.mass);
   auto const K = denseOf(*model.body.matrices.stiffness);
   Stepper stepper(model, RateUpdate::backwardEuler(), milliseconds);
@@ -174,7 +177,7 @@ TEST_P(EnergyOfSchemes, ClosesOnceTheirDissipationIsCounted)
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
     options.cohesion = 15;
-    const testing::Model model(options, fem::testing::selfCommunicator());
+    const dynamics::test::Model model(options, fem::test::selfCommunicator());
     Stepper stepper(model, GetParam(), milliseconds);
     EnergyBalance balance(model.body, model.fault, milliseconds);
     auto state = balancedState(model);
@@ -197,7 +200,7 @@ TEST_P(EnergyOfSchemes, IsDissipatedWhereTheBodyIsLeftAlone)
   options.gravity = {0, 0};
   options.conditions = {};
   options.material.shear_viscosity = options.material.bulk_viscosity = 0;
-  const testing::Model model(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, GetParam(), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = model.restingState();
@@ -229,7 +232,7 @@ TEST(EnergyBalance, FollowsAChangingNormalStress)
   options.normal_stress = [](Point<2> const& x, double t) {
     return 2000 * (1 + 0.1 * x[0]) * (1 - 30 * t);
   };
-  const testing::Model model(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = balancedState(model);
@@ -249,7 +252,7 @@ TEST(EnergyBalance, FollowsAChangingNormalStress)
 
 TEST(EnergyBalance, GoesOnFromTheWorksOfAnEarlierRun)
 {
-  const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(slidingBlock(2), fem::test::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance whole(model.body, model.fault, milliseconds);
   EnergyBalance second(model.body, model.fault, milliseconds);
@@ -274,7 +277,7 @@ TEST(EnergyBalance, SeesNoWorkWhereTheFaultIsHeld)
   auto options = slidingBlock(2);
   options.conditions = {};
   options.cohesion = 1e4;
-  const testing::Model model(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), milliseconds);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = model.restingState();
@@ -353,7 +356,7 @@ TEST(EnergyBalance, CountsWhatAMasslessBodyGivesOffWhenItFallsIntoPlace)
   auto options = hangingBlock();
   options.gravity = {0, -9.81};
   options.sigma_n = 1e9; // the fault is locked
-  const testing::Model block(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model block(options, fem::test::selfCommunicator());
   auto const model = quasiDynamic(block);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = model.initial.clone();
@@ -370,7 +373,7 @@ TEST(EnergyBalance, CountsWhatAMasslessBodyGivesOffWhenItFallsIntoPlace)
 // The state slides at a rate that no traction drives: friction at that rate acts on no motion.
 TEST(EnergyBalance, StartsWithTheForcesAfterTheJumpOfAQuasiDynamicBody)
 {
-  const testing::Model block(hangingBlock(), fem::testing::selfCommunicator());
+  const dynamics::test::Model block(hangingBlock(), fem::test::selfCommunicator());
   auto const model = quasiDynamic(block);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   auto state = model.initial.clone();

@@ -14,9 +14,10 @@ TEST(EnergyIncreaseWatch, WarnsOfTheFirstAndOfTenTimesAsMany)
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->topic, "energy increase");
   // tests/support/asperity_run.py looks for the first words in what every run prints.
-  test::expectParts("WARNING: " + warning->text,
-                    {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_rises in "
-                     "steps.csv)"});
+  asperity::test::expectParts(
+    "WARNING: " + warning->text,
+    {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_rises in "
+     "steps.csv)"});
   EXPECT_FALSE(watch.note(19));
   EXPECT_TRUE(watch.note(20));
 }

@@ -16,7 +16,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-RCP<const Communicator> world() { return fem::testing::worldCommunicator(); }
+RCP<const Communicator> world() { return fem::test::worldCommunicator(); }
 
 using fem::OtherSide;
 
@@ -26,7 +26,7 @@ fem::FaultSurface makeFault(int num_tangents, OtherSide other_side = OtherSide::
                             std::vector<int> held = {})
 {
   held.resize(3 * num_tangents, 0);
-  return testing::surfaceOf({1, 2, 3}, num_tangents, held, other_side, world());
+  return dynamics::test::surfaceOf({1, 2, 3}, num_tangents, held, other_side, world());
 }
 
 BlockView blocks(std::vector<std::vector<double>> const& values)
@@ -91,7 +91,7 @@ TEST(FaultMotion, PeakIsOverAllNodesAndRanks)
       }
     }
     const double expected = 10 * rate * world()->getSize();
-    EXPECT_NEAR(testing::peakSlipRateAt(fault, v), expected, 1e-15 * expected);
+    EXPECT_NEAR(dynamics::test::peakSlipRateAt(fault, v), expected, 1e-15 * expected);
   }
 }
 
@@ -103,9 +103,9 @@ TEST(FaultMotion, PeakLeavesOutWhatIsPrescribed)
     v.replaceLocalValue(dof, dof == 1 ? -9. : 1. + dof);
   }
   auto const side = OtherSide::rigid_foundation;
-  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(makeFault(1), v), 9);
-  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(makeFault(1, side, {0, 1, 0}), v), 3);
-  EXPECT_EQ(testing::peakSlipRateAt(makeFault(1, side, {1, 1, 1}), v), 0);
+  EXPECT_DOUBLE_EQ(dynamics::test::peakSlipRateAt(makeFault(1), v), 9);
+  EXPECT_DOUBLE_EQ(dynamics::test::peakSlipRateAt(makeFault(1, side, {0, 1, 0}), v), 3);
+  EXPECT_EQ(dynamics::test::peakSlipRateAt(makeFault(1, side, {1, 1, 1}), v), 0);
 }
 
 TEST(FaultMotion, SlidesWhereOneComponentIsFree)
@@ -118,11 +118,11 @@ TEST(FaultMotion, SlidesWhereOneComponentIsFree)
   v.replaceLocalValue(5, 3);
   EXPECT_FALSE(fault.slides(0));
   EXPECT_TRUE(fault.slides(1) && fault.slides(2));
-  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(fault, v), 4);
+  EXPECT_DOUBLE_EQ(dynamics::test::peakSlipRateAt(fault, v), 4);
   const BlockView beside("beside", 3, 2);
-  EXPECT_FALSE(prescribedBesideSliding(fault, v, beside));
+  EXPECT_FALSE(gatherPrescribedPart(fault, v, beside));
   v.replaceLocalValue(3, 1e-9);
-  EXPECT_TRUE(prescribedBesideSliding(fault, v, beside));
+  EXPECT_TRUE(gatherPrescribedPart(fault, v, beside));
   for (int node = 0; node < 3; ++node) {
     EXPECT_EQ(beside(node, 0), 0) << "free, or prescribed altogether";
     EXPECT_EQ(beside(node, 1), node == 1 ? 1e-9 : 0);
@@ -138,7 +138,7 @@ TEST(FaultMotion, PlatesAddToTheSlipOfBodies)
     makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 8, 0, 0, 2});
   EXPECT_TRUE(fault->hasPlateRate());
   EXPECT_FALSE(makeFault(2).hasPlateRate());
-  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 8);
+  EXPECT_DOUBLE_EQ(dynamics::test::peakSlipRateAt(*fault, v), 8);
   v.replaceLocalValue(2, -3.5);
   v.replaceLocalValue(4, 0.5);
   const BlockView w("asperity::test::w", 3, 2);
@@ -148,7 +148,7 @@ TEST(FaultMotion, PlatesAddToTheSlipOfBodies)
   EXPECT_DOUBLE_EQ(V(0), 5);
   EXPECT_DOUBLE_EQ(V(1), 1);
   EXPECT_DOUBLE_EQ(V(2), std::sqrt(1. + 4.));
-  EXPECT_DOUBLE_EQ(testing::peakSlipRateAt(*fault, v), 5);
+  EXPECT_DOUBLE_EQ(dynamics::test::peakSlipRateAt(*fault, v), 5);
 }
 
 // Three units in the last place are not slip; 1e-12 m/s is, and 1e-30 m/s where no plate moves.
@@ -217,7 +217,7 @@ TEST(FaultMotion, AFaultThatSticksToItsPlatesDoesNotSlip)
   auto const fault =
     makeFault(2, OtherSide::mirror_image, {0, 0, 0, 1, 0, 0}).withPlateRate({3, 4, 0.1, 0, 0, 0.3});
   setZeroSlipRate(*fault, v);
-  EXPECT_EQ(testing::peakSlipRateAt(*fault, v), 0);
+  EXPECT_EQ(dynamics::test::peakSlipRateAt(*fault, v), 0);
   EXPECT_EQ(v.getData()[0], -1.5);
   EXPECT_EQ(v.getData()[3], 0);
 }
@@ -230,9 +230,9 @@ TEST(FaultMotion, WallsAcrossTheMotionOfPlatesSlip)
   const Vector v(map);
   auto const fault = makeFault(2, OtherSide::rigid_foundation, {0, 1, 0, 0, 0, 0});
   const BlockView beside("beside", 3, 2);
-  EXPECT_FALSE(prescribedBesideSliding(*fault.withPlateRate({3, 1e-12, 1, 1, 1, 1}), v, beside));
+  EXPECT_FALSE(gatherPrescribedPart(*fault.withPlateRate({3, 1e-12, 1, 1, 1, 1}), v, beside));
   EXPECT_EQ(beside(0, 1), 0);
-  EXPECT_TRUE(prescribedBesideSliding(*fault.withPlateRate({3, 1e-3, 1, 1, 1, 1}), v, beside));
+  EXPECT_TRUE(gatherPrescribedPart(*fault.withPlateRate({3, 1e-3, 1, 1, 1, 1}), v, beside));
   EXPECT_EQ(beside(0, 1), 1e-3);
 }
 
@@ -265,12 +265,13 @@ TEST(FaultMotion, RanksWithoutNodesDoNotCount)
     a = b = NodeView("asperity::test::none", 0);
   }
   auto const fault =
-    testing::surfaceOf(has_nodes ? std::vector<double>{1, 2, 3} : std::vector<double>{}, 1,
-                       {0, 0, 0}, OtherSide::rigid_foundation, world());
+    dynamics::test::surfaceOf(has_nodes ? std::vector<double>{1, 2, 3} : std::vector<double>{}, 1,
+                              {0, 0, 0}, OtherSide::rigid_foundation, world());
   EXPECT_DOUBLE_EQ(distance(fault, a, b), std::sqrt((2 * 9 + 3 * 4) / 6.));
   EXPECT_DOUBLE_EQ(distance(fault, a, b, Norm::maximum), 3);
   EXPECT_EQ(distance(fault, a, a, Norm::maximum), 0);
-  auto const none = testing::surfaceOf({}, 1, {0, 0, 0}, OtherSide::rigid_foundation, world());
+  auto const none =
+    dynamics::test::surfaceOf({}, 1, {0, 0, 0}, OtherSide::rigid_foundation, world());
   auto const nothing = NodeView("asperity::test::none", 0);
   EXPECT_EQ(distance(none, nothing, nothing, Norm::maximum), 0);
 }
@@ -320,7 +321,7 @@ TEST(FaultMotion, GathersItsDofs)
   for (int dof = 0; dof < 4; ++dof) {
     v.replaceLocalValue(dof, 10. + dof);
   }
-  auto const fault = testing::surfaceWith({{3}, {0}, {2}}, world());
+  auto const fault = dynamics::test::surfaceWith({{3}, {0}, {2}}, world());
   auto const gathered = blocks({{0}, {0}, {0}});
   gather(fault, v, gathered);
   EXPECT_EQ(gathered(0, 0), 13);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 // The peak slip rate of a fault whose body moves at v.
 inline double peakSlipRateAt(fem::FaultSurface const& surface, Vector const& v)
@@ -56,4 +56,4 @@ inline fem::FaultSurface surfaceWith(std::vector<std::vector<int>> const& dofs,
           fem::OtherSide::rigid_foundation,
           communicator};
 }
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

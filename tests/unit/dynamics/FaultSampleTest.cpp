@@ -9,7 +9,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -20,7 +20,7 @@ constexpr Rotation turn = {{{0.36, 0.48, -0.8}, {-0.8, 0.6, 0}, {0.48, 0.64, 0.6
 // The base of a turned block does not move across itself, so that its motion is the slip.
 TEST(FaultSample, HasVectorsAlongTheAxesInSpace)
 {
-  const ModelIn<3> model(slidingBlockInSpace({5, 3, 4}, turn), fem::testing::selfCommunicator());
+  const ModelIn<3> model(slidingBlockInSpace({5, 3, 4}, turn), fem::test::selfCommunicator());
   auto state = slidingState(model, turn);
   auto const start = model.body.vector();
   Tpetra::deep_copy(*start, *state.v);
@@ -55,7 +55,7 @@ TEST(FaultSample, HasVectorsAlongTheAxesInSpace)
 
 TEST(FaultSample, KeepsWhatItHasReadUntilTheNextStep)
 {
-  const testing::Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(slidingBlock(2), fem::test::selfCommunicator());
   auto state = slidingState(model);
   EnergyBalance balance(model.body, model.fault, milliseconds);
   balance.start(state);

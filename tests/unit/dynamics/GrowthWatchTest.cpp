@@ -27,7 +27,8 @@ TEST(GrowthWatch, WarnsOfAForcedStepInWhichTheRateGrowsAndSlipsByAPartOfL)
   const auto warning = watch.note(step(true, 1e4, 1e-9, 2.8e-5));
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->topic, "hidden growth");
-  test::expectParts(warning->text, {"1 step of the smallest size 10000 s", "2.8e-05 m/s"});
+  asperity::test::expectParts(warning->text,
+                              {"1 step of the smallest size 10000 s", "2.8e-05 m/s"});
 }
 
 TEST(GrowthWatch, IsSilentWhereNothingIsHidden)
@@ -46,11 +47,12 @@ TEST(GrowthWatch, BlamesTheToleranceWhereAStepThatMeetsItHidesGrowth)
   GrowthWatch watch(L, 2);
   const auto warning = watch.note(step(false, 1e4, 1e-9, 2.8e-5));
   ASSERT_TRUE(warning);
-  test::expectParts(warning->text, {"1 step within the tolerance", "Choose a smaller 'Tolerance'"});
+  asperity::test::expectParts(warning->text,
+                              {"1 step within the tolerance", "Choose a smaller 'Tolerance'"});
   EXPECT_TRUE(watch.note(step(true, 1e4, 1e-9, 2.8e-5))) << "forced steps are counted apart";
-  EXPECT_NO_THROW(watch.requireUse());
+  EXPECT_NO_THROW(watch.requireUsefulRun());
   watch.note(step(false, 1e4, 1e-9, 2.8e-5));
-  EXPECT_THROW(watch.requireUse(), SolveError);
+  EXPECT_THROW(watch.requireUsefulRun(), SolveError);
 }
 
 TEST(GrowthWatch, SeesGrowthOverManyForcedSteps)
@@ -73,9 +75,9 @@ TEST(GrowthWatch, EndsTheRunWithOneTooMany)
   GrowthWatch watch(L, 3);
   EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1)));
   EXPECT_FALSE(watch.note(step(true, 1, 1e-9, 1)));
-  EXPECT_NO_THROW(watch.requireUse());
+  EXPECT_NO_THROW(watch.requireUsefulRun());
   EXPECT_TRUE(watch.note(step(true, 1, 1e-9, 1))) << "what ends a run is a warning, too";
-  EXPECT_THROW(watch.requireUse(), SolveError);
+  EXPECT_THROW(watch.requireUsefulRun(), SolveError);
 }
 
 TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
@@ -93,17 +95,17 @@ TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
   Archive memory;
   before.save(memory);
   after.restore(memory, {});
-  EXPECT_NO_THROW(after.requireUse());
+  EXPECT_NO_THROW(after.requireUsefulRun());
   EXPECT_FALSE(after.note(step(true, 1e4, 1.5e-9, 2.1e-9)));
   EXPECT_EQ(after.memory().forced, 2) << "above twice the first rate, 1e-9";
   EXPECT_TRUE(after.note(step(true, 1e4, 2.1e-9, 2.2e-9)));
-  EXPECT_THROW(after.requireUse(), SolveError);
+  EXPECT_THROW(after.requireUsefulRun(), SolveError);
 
   GrowthWatch full(L, 2);
   full.restore(memory, {});
-  test::expectRefusal<LostEarthquakes>([&] { full.requireUse(); },
-                                       {"2 steps before this restart", "a smaller 'Tolerance'",
-                                        "begin a new run", "Most Hiding Steps"});
+  asperity::test::expectRefusal<LostEarthquakes>(
+    [&] { full.requireUsefulRun(); }, {"2 steps before this restart", "a smaller 'Tolerance'",
+                                       "begin a new run", "Most Hiding Steps"});
 }
 
 TEST(GrowthWatch, ForgetsForcedStepsWhereARestartHasSmallerSteps)
@@ -115,7 +117,7 @@ TEST(GrowthWatch, ForgetsForcedStepsWhereARestartHasSmallerSteps)
   after.restore(memory, {true});
   EXPECT_EQ(after.memory().forced, 0);
   EXPECT_LT(after.memory().least, 0);
-  EXPECT_NO_THROW(after.requireUse());
+  EXPECT_NO_THROW(after.requireUsefulRun());
 }
 
 TEST(GrowthWatch, TakesPrescribedStepsForForcedAndEndsNoRun)
@@ -124,7 +126,7 @@ TEST(GrowthWatch, TakesPrescribedStepsForForcedAndEndsNoRun)
   EXPECT_FALSE(watch.note(step(false, 1e-7, 0.01, 1))) << "slip of less than L / 10";
   const auto warning = watch.note(step(false, 1, 1e-9, 1e-3));
   ASSERT_TRUE(warning);
-  test::expectParts(warning->text, {"1 step of the prescribed size 1 s"});
+  asperity::test::expectParts(warning->text, {"1 step of the prescribed size 1 s"});
 }
 
 TEST(GrowthWatch, KnowsNoSlipDistance)
@@ -142,8 +144,8 @@ TEST(SlowSlip, IsTheLargestOfWeakeningNodesWhoseSlipIsSlow)
   const SlowSlip slip({L, 0, 2 * L, L}, 1e-3);
   const auto V =
     toDevice(std::vector<double>{1e-9, 1e-4, last * 1e-8, 0.5}, "asperity::test::rates");
-  EXPECT_DOUBLE_EQ(slip.of(V, 1e4, *world), 1e-8 * 1e4 / (2 * L));
-  EXPECT_EQ(SlowSlip({}, 0).of(V, 1e4, *world), 0);
+  EXPECT_DOUBLE_EQ(slip.largestRatio(V, 1e4, *world), 1e-8 * 1e4 / (2 * L));
+  EXPECT_EQ(SlowSlip({}, 0).largestRatio(V, 1e4, *world), 0);
 }
 
 TEST(GrowthWatch, TellsOfSlowSlipOfMoreThanTwoL)
@@ -156,8 +158,9 @@ TEST(GrowthWatch, TellsOfSlowSlipOfMoreThanTwoL)
   const auto warning = watch.note(creep);
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->topic, "hidden growth");
-  test::expectParts(warning->text, {"1 step", "4 s", "(8 L)", "Choose a smaller 'Tolerance'"});
+  asperity::test::expectParts(warning->text,
+                              {"1 step", "4 s", "(8 L)", "Choose a smaller 'Tolerance'"});
   EXPECT_FALSE(watch.note(creep)) << "the 10th is the next";
-  EXPECT_NO_THROW(watch.requireUse());
+  EXPECT_NO_THROW(watch.requireUsefulRun());
 }
 } // namespace asperity::dynamics

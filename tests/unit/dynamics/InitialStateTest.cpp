@@ -11,11 +11,11 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
-RCP<const Communicator> alone() { return fem::testing::selfCommunicator(); }
+RCP<const Communicator> alone() { return fem::test::selfCommunicator(); }
 
 RCP<Vector> loadOf(Model const& model)
 {
@@ -195,7 +195,7 @@ struct SlidingFault
   }
   void expectRefusal(AlphaAtStart kind, std::string const& reason) const
   {
-    test::expectRefusal([&] { alpha(kind); }, {reason});
+    asperity::test::expectRefusal([&] { alpha(kind); }, {reason});
   }
 
   static ModelOptions options()

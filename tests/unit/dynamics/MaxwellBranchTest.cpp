@@ -8,7 +8,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -54,7 +54,7 @@ TEST(MaxwellBranches, TakeTheEnergyThatLeavesTheBody)
   for (int components : {1, 2}) {
     auto options = slidingBlock(components);
     options.relaxation = {{0.3, 2e-3}, {0.6, 0.1}};
-    const testing::Model model(options, fem::testing::selfCommunicator());
+    const dynamics::test::Model model(options, fem::test::selfCommunicator());
     auto const energy = energyOfSteps(model, slidingState(model));
     EXPECT_NEAR(energy.defect, 0, 1e-10 * energy.friction_work);
     EXPECT_GT(energy.viscous_work, 0);

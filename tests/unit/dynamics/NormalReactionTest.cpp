@@ -8,7 +8,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -27,7 +27,7 @@ RCP<Vector> someMotion(ModelIn<Dim> const& model)
   {
     auto const values = w->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (int dof = 0; dof < model.body.numOwnedDofs(); ++dof) {
-      values(dof, 0) = fem::testing::pseudorandom(dof, 1);
+      values(dof, 0) = fem::test::pseudorandom(dof, 1);
     }
   }
   model.body.clearHeld(*w);
@@ -57,9 +57,9 @@ TEST(NormalReaction, IsTheStressOfABlockPressedOnADippingFoundation)
 {
   for (double dip : {0., 0.6, -2.5}) {
     ModelOptions options;
-    options.mesh = fem::testing::uniformRectangle(5, 4, 0.5, 0.3);
-    fem::testing::rotate(options.mesh, dip);
-    const Model model(options, fem::testing::selfCommunicator());
+    options.mesh = fem::test::uniformRectangle(5, 4, 0.5, 0.3);
+    fem::test::rotate(options.mesh, dip);
+    const Model model(options, fem::test::selfCommunicator());
     const double eps = 1e-4;
     const double K = options.material.bulk_modulus;
     const double G = options.material.shear_modulus;
@@ -78,11 +78,11 @@ TEST(NormalReaction, IsTheStressOfABlockPressedOnADippingFoundation)
 // In space, sigma = E eps.
 TEST(NormalReaction, IsTheStressOfASolidPressedOnADippingFoundation)
 {
-  auto const turn = fem::testing::rotationAbout({1, 2, -1}, 0.7);
+  auto const turn = fem::test::rotationAbout({1, 2, -1}, 0.7);
   OptionsIn<3> options;
-  options.mesh = fem::testing::uniformBox({3, 2, 2}, {0.4, 0.3, 0.2});
-  fem::testing::rotate(options.mesh, turn);
-  const ModelIn<3> model(options, fem::testing::selfCommunicator());
+  options.mesh = fem::test::uniformBox({3, 2, 2}, {0.4, 0.3, 0.2});
+  fem::test::rotate(options.mesh, turn);
+  const ModelIn<3> model(options, fem::test::selfCommunicator());
   const double eps = 1e-4;
   const double K = options.material.bulk_modulus;
   const double G = options.material.shear_modulus;
@@ -100,8 +100,8 @@ TEST(NormalReaction, IsTheStressOfASolidPressedOnADippingFoundation)
 TEST(NormalReaction, IsLessByTheLoadAtTheNode)
 {
   ModelOptions options;
-  options.mesh = fem::testing::uniformRectangle(4, 3, 0.4, 0.3);
-  const Model model(options, fem::testing::selfCommunicator());
+  options.mesh = fem::test::uniformRectangle(4, 3, 0.4, 0.3);
+  const Model model(options, fem::test::selfCommunicator());
   auto const& node = (*model.surface)[2];
   auto const load = model.body.vector();
   auto const none = model.body.vector();
@@ -118,7 +118,7 @@ TEST(NormalReaction, IsLessByTheLoadAtTheNode)
 
 TEST(NormalReaction, RowsAreThoseOfTheMatrices)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const Model model(slidingBlock(2), fem::test::selfCommunicator());
   auto const reaction = reactionOf(model);
   auto const w = someMotion(model);
   auto const scaled = [&](double factor) {
@@ -145,7 +145,7 @@ TEST(NormalReaction, RowsAreThoseOfTheMatrices)
 // so without computing it.
 TEST(NormalReaction, ComesFromTheSolverWithoutItsWholeVelocity)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const Model model(slidingBlock(2), fem::test::selfCommunicator());
   auto const state = slidingState(model);
   for (auto correction : {Correction::direct, Correction::multigrid}) {
     auto const rows = reactionOf(model).rows({1e3, 1, 1e-3});

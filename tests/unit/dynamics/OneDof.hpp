@@ -6,7 +6,7 @@
 #include <Tpetra_Map.hpp>
 #include <Tpetra_Vector.hpp>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 // One number for each of u, v, a and the jerk of the last step.
 struct DofMotion
@@ -71,8 +71,8 @@ private:
     return {value(*to.u), value(*to.v), value(*to.a), value(*to.jerk)};
   }
 
-  RCP<const Map> map_ = rcp(new Map(1, 0, fem::testing::selfCommunicator()));
+  RCP<const Map> map_ = rcp(new Map(1, 0, fem::test::selfCommunicator()));
   State from_ = state();
   Vector u_hat_{map_}, a_hat_{map_};
 };
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

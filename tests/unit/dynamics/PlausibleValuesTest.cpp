@@ -22,8 +22,9 @@ BesideFault beside(Extremes const& speed)
 TEST(PlausibleValues, ValuesThatDifferByRoundingAreOneNumber)
 {
   const double speed = 10000. / 3;
-  test::expectParts(describeSpeeds(beside({speed, speed * (1 + 1e-15)})),
-                    {"c_s = 3333.33 m/s,", "c_p = 6000 m/s", "at the start: 1e+06 to 5e+07 Pa."});
+  asperity::test::expectParts(
+    describeSpeeds(beside({speed, speed * (1 + 1e-15)})),
+    {"c_s = 3333.33 m/s,", "c_p = 6000 m/s", "at the start: 1e+06 to 5e+07 Pa."});
 }
 
 TEST(PlausibleValues, SlipRatesAreBelowATenthOfTheFastestShearWave)
@@ -32,11 +33,11 @@ TEST(PlausibleValues, SlipRatesAreBelowATenthOfTheFastestShearWave)
   EXPECT_DOUBLE_EQ(largest, 346.4);
   const auto warning = warnOfSlipRate(2300, largest);
   EXPECT_EQ(warning.topic, "slip rate");
-  test::expectParts(warning.text, {"has reached 2300 m/s", "beside the fault, 3464 m/s"});
+  asperity::test::expectParts(warning.text, {"has reached 2300 m/s", "beside the fault, 3464 m/s"});
 }
 
 TEST(PlausibleValues, TwoValuesAreAnInterval)
 {
-  test::expectParts(describeSpeeds(beside({2000, 3464})), {"c_s = 2000 to 3464 m/s,"});
+  asperity::test::expectParts(describeSpeeds(beside({2000, 3464})), {"c_s = 2000 to 3464 m/s,"});
 }
 } // namespace asperity::dynamics

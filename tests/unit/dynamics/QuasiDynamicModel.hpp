@@ -4,10 +4,10 @@
 #include "fem/NodalDamping.hpp"
 #include "unit/dynamics/SmallModel.hpp"
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 // A body without its mass, and with radiation damping on its fault; at rest.
-inline dynamics::Model quasiDynamic(testing::Model const& model)
+inline dynamics::Model quasiDynamic(dynamics::test::Model const& model)
 {
   dynamics::Model result{
     model.body,
@@ -22,4 +22,4 @@ inline dynamics::Model quasiDynamic(testing::Model const& model)
                                         fem::radiationDampers(*model.surface, *model.dofs, eta));
   return result;
 }
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

@@ -15,17 +15,17 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
-RCP<const Communicator> world() { return fem::testing::worldCommunicator(); }
+RCP<const Communicator> world() { return fem::test::worldCommunicator(); }
 
 ModelOptions largerBlock()
 {
   auto options = slidingBlock(2);
-  options.mesh = fem::testing::uniformRectangle(32, 24, 0.4, 0.3);
-  fem::testing::distort(options.mesh, 0.002);
+  options.mesh = fem::test::uniformRectangle(32, 24, 0.4, 0.3);
+  fem::test::distort(options.mesh, 0.002);
   options.cohesion = 20;
   return options;
 }
@@ -35,7 +35,7 @@ template <int Dim>
 struct BothWays
 {
   explicit BothWays(OptionsIn<Dim> const& options)
-      : alone(options, fem::testing::selfCommunicator())
+      : alone(options, fem::test::selfCommunicator())
       , together(options, world())
   {
   }
@@ -109,11 +109,11 @@ void expectStepsOfOneRank(ModelOptions const& options)
     EXPECT_LE(models.difference(*shared.a, *own.a), 1e-7);
     EXPECT_LE(models.differenceOfAlpha(shared, own), 1e-7);
   }
-  EXPECT_EQ(together.count.rises, 0);
+  EXPECT_EQ(together.count.energy_increases, 0);
   EXPECT_NEAR(energy_together.energy().friction_work / energy_alone.energy().friction_work, 1,
               1e-8);
-  EXPECT_NEAR(testing::peakSlipRateAt(*models.together.surface, *shared.v) /
-                testing::peakSlipRateAt(*models.alone.surface, *own.v),
+  EXPECT_NEAR(dynamics::test::peakSlipRateAt(*models.together.surface, *shared.v) /
+                dynamics::test::peakSlipRateAt(*models.alone.surface, *own.v),
               1, 1e-8);
 }
 } // namespace
@@ -157,7 +157,7 @@ TEST(Ranks, SlideInSpaceLikeOne)
     EXPECT_LE(std::abs(effort.rate_problems - effort_alone.rate_problems), 1);
     EXPECT_LE(std::abs(effort.tnnmg_iterations - effort_alone.tnnmg_iterations), 2);
   }
-  EXPECT_EQ(together.count.rises, 0);
+  EXPECT_EQ(together.count.energy_increases, 0);
 }
 
 // The ranks' shares of the mesh differ; what they forget must not, since a set-up takes them all.

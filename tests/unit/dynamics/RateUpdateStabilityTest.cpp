@@ -11,7 +11,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {

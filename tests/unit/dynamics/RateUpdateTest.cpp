@@ -8,7 +8,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -76,7 +76,7 @@ TEST(RateUpdate, GeneralisedAlphaWithoutDampingIsNewmark)
 // From rest a^ is nothing but d_a A0.
 TEST(RateUpdate, LaggingAccelerationIsThatOfTheStepToCome)
 {
-  const RCP<const Map> map = rcp(new Map(1, 0, fem::testing::selfCommunicator()));
+  const RCP<const Map> map = rcp(new Map(1, 0, fem::test::selfCommunicator()));
   State state;
   for (auto* x : {&state.u, &state.v, &state.a, &state.jerk}) {
     *x = rcp(new Vector(map));
@@ -123,7 +123,7 @@ TEST(RateUpdate, KnowsTheErrorOfItsVelocity)
 // What the update of the displacement says, and where that has lost its digits.
 TEST(RateUpdate, MeanVelocityIsThatOfTheDisplacement)
 {
-  const RCP<const Map> map = rcp(new Map(2, 0, fem::testing::selfCommunicator()));
+  const RCP<const Map> map = rcp(new Map(2, 0, fem::test::selfCommunicator()));
   State from, to;
   for (auto* state : {&from, &to}) {
     for (auto* x : {&state->u, &state->v, &state->a, &state->jerk}) {

@@ -8,7 +8,7 @@
 // The normal stress of Prakash and Clifton: s' = (V / L + 1 / T) (sigma - s).
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -19,7 +19,7 @@ char const* const field_name = "regularised_normal_stress";
 ModelOptions pressedBlock(std::function<double(double)> const& sigma, double L, double T)
 {
   ModelOptions options;
-  options.mesh = fem::testing::uniformRectangle(3, 2, 0.3, 0.2);
+  options.mesh = fem::test::uniformRectangle(3, 2, 0.3, 0.2);
   options.normal_stress = [sigma](Point<2> const&, double t) { return sigma(t); };
   options.regularisation = {L, T};
   return options;
@@ -28,7 +28,7 @@ ModelOptions pressedBlock(std::function<double(double)> const& sigma, double L, 
 // s at the ends of steps of 4 ms 2^-level.
 std::vector<double> stressOfSteps(ModelOptions const& options, std::vector<int> const& levels)
 {
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), DyadicTime(4e-3, 8));
   auto state = model.restingState();
   std::vector<double> result;
@@ -98,7 +98,7 @@ TEST(RegularisedStress, FollowsWithSlip)
     return std::max(0., 2000 * (1 + x[0] - 150 * t));
   };
   options.regularisation = {L, T};
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), DyadicTime(4e-3, 4));
   auto state = slidingState(model);
   double slid = 0;
@@ -131,7 +131,7 @@ TEST(RegularisedStress, KeepsTheBalanceOfEnergy)
     return 2000 * (1 + x[0]) * (1 + 0.3 * std::sin(200 * t));
   };
   options.regularisation = {5e-6, 3e-3};
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   auto const energy = energyOfSteps(model, slidingState(model));
   EXPECT_GT(energy.friction_work, 0);
   EXPECT_NEAR(energy.defect, 0, 1e-9 * energy.friction_work);

@@ -65,14 +65,14 @@ TEST(Rest, RaisesNoEnergyInTheLastDigit)
 {
   const RestingNode rest;
   const FrictionProblem problem{*rest.fault.kernels, rest.fault.at};
-  int rises = 0;
+  int energy_increases = 0;
   for (int k = 0; k < 2000; ++k) {
     const double V = 1e-16 * std::exp(-32. * k / 2000);
     double v = V * (1 - 1e-3);
-    rises += rest.solve(problem, rest.loadFor(V), v).rises;
+    energy_increases += rest.solve(problem, rest.loadFor(V), v).energy_increases;
     EXPECT_NEAR(v, V, 1e-13 * V);
   }
-  EXPECT_EQ(rises, 0);
+  EXPECT_EQ(energy_increases, 0);
 }
 
 namespace
@@ -112,6 +112,6 @@ TEST(Rest, CountsARiseOfTheTwelfthDigit)
   rest.solve(problem, rest.loadFor(V), v);
   const BeyondTheMinimum beyond{problem, 1e-11};
   // In the first sweep; the others start where they end, since so stiff a node is truncated.
-  EXPECT_EQ(rest.solve(beyond, rest.loadFor(V), v).rises, 1);
+  EXPECT_EQ(rest.solve(beyond, rest.loadFor(V), v).energy_increases, 1);
 }
 } // namespace asperity::dynamics

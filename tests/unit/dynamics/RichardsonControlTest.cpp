@@ -9,7 +9,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -30,7 +30,7 @@ protected:
 ModelOptions blockThatRunsAway()
 {
   ModelOptions options;
-  options.mesh = fem::testing::uniformRectangle(2, 1, 0.2, 0.1);
+  options.mesh = fem::test::uniformRectangle(2, 1, 0.2, 0.1);
   options.material.density = 9;
   return options;
 }
@@ -274,8 +274,8 @@ TEST_F(RichardsonControlTest, GivesUpBelowTheSmallestStep)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
   RichardsonControl control(hasty.step, 2, adaptive(1e-2, 2, 5));
-  test::expectRefusal<SolveError>([&] { control.advance(state, count); },
-                                  {"t = 0 s", "0.015625 s", "fixed point"});
+  asperity::test::expectRefusal<SolveError>([&] { control.advance(state, count); },
+                                            {"t = 0 s", "0.015625 s", "fixed point"});
   EXPECT_EQ(state.time, 0);
 }
 

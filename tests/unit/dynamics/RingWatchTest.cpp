@@ -56,6 +56,6 @@ TEST(RingWatch, NamesTheCure)
   }
   ASSERT_TRUE(warning);
   EXPECT_EQ(warning->topic, "ringing");
-  test::expectParts(warning->text, {"10 steps in a row", "t = 5 s", "Generalised Alpha"});
+  asperity::test::expectParts(warning->text, {"10 steps in a row", "t = 5 s", "Generalised Alpha"});
 }
 } // namespace asperity::dynamics

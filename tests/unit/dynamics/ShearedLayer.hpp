@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 // An antiplane layer on a base that does not slip, whose top moves.
 struct ShearedLayer
@@ -19,8 +19,8 @@ struct ShearedLayer
   {
     ModelOptions options;
     options.components = 1;
-    options.mesh = fem::testing::uniformRectangle(4, 3, width, height);
-    fem::testing::distort(options.mesh, 0.02);
+    options.mesh = fem::test::uniformRectangle(4, 3, width, height);
+    fem::test::distort(options.mesh, 0.02);
     options.material = {900, 0.05e6, 0.023e6, 0, 0};
     options.sigma_n = 1e9;
     auto const at = [drive](auto const&, double t) { return drive(t); };
@@ -29,7 +29,7 @@ struct ShearedLayer
   }
 
   explicit ShearedLayer(ModelOptions const& options)
-      : model(options, fem::testing::selfCommunicator())
+      : model(options, fem::test::selfCommunicator())
       , body(quasiDynamic(model))
       , step(body.body, body.fault, RateUpdate::backwardEuler(), clock, tightCoupling(),
              tightSettings(), 1U << 30U)
@@ -70,4 +70,4 @@ struct ShearedLayer
   SolveCount count;
   BodyForces forces;
 };
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 namespace
 {
@@ -169,7 +169,7 @@ State ModelIn<Dim>::restingState() const
   state.v = body.vector();
   state.a = body.vector();
   state.jerk = body.vector();
-  state.branches = body.noForces().of_branches;
+  state.branches = body.noForces().branch_forces;
   if (body.cells) {
     state.inelastic = body.cells->none();
   }
@@ -276,4 +276,4 @@ Eigen::MatrixXd denseOf(CrsMatrix const& matrix)
   }
   return result;
 }
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

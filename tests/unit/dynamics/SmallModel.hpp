@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::dynamics::testing
+namespace asperity::dynamics::test
 {
 // A small body with a fault, in two or three dimensions, put together from fem and dynamics without
 // a deck.
@@ -109,4 +109,4 @@ struct Stepper
 Eigen::VectorXd denseOf(Vector const& x);
 Eigen::VectorXd denseOf(ConstNodeView const& x);
 Eigen::MatrixXd denseOf(CrsMatrix const& matrix);
-} // namespace asperity::dynamics::testing
+} // namespace asperity::dynamics::test

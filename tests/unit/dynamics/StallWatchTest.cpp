@@ -19,11 +19,11 @@ TEST(StallWatch, EndsARunOfForcedStepsAlone)
   sound.is_forced = false;
   for (auto const& step : {forced, forced, sound, forced, forced}) {
     watch.note(step, notes);
-    EXPECT_NO_THROW(watch.requireUse());
+    EXPECT_NO_THROW(watch.requireUsefulRun());
   }
   watch.note(forced, notes);
-  test::expectRefusal<SolveError>([&] { watch.requireUse(); },
-                                  {"the last 3 steps", "Most Forced Steps"});
+  asperity::test::expectRefusal<SolveError>([&] { watch.requireUsefulRun(); },
+                                            {"the last 3 steps", "Most Forced Steps"});
   EXPECT_TRUE(notes.warnings.empty() && notes.lines.empty());
 }
 
@@ -36,7 +36,7 @@ TEST(StallWatch, WarnsOfForcedStepsAndTellsOfSmallOnes)
   }
   ASSERT_EQ(notes.warnings.size(), 1);
   EXPECT_EQ(notes.warnings.front().topic, "forced steps");
-  test::expectParts(notes.warnings.front().text, {"The last 100 steps", "0.001 s"});
+  asperity::test::expectParts(notes.warnings.front().text, {"The last 100 steps", "0.001 s"});
   auto sound = forced;
   sound.is_forced = false;
   for (int i = 100; i < 1000; ++i) {
@@ -44,7 +44,8 @@ TEST(StallWatch, WarnsOfForcedStepsAndTellsOfSmallOnes)
   }
   EXPECT_EQ(notes.warnings.size(), 1);
   ASSERT_EQ(notes.lines.size(), 1);
-  test::expectParts(notes.lines.front(), {"The last 1000 steps had the smallest size", "50000"});
+  asperity::test::expectParts(notes.lines.front(),
+                              {"The last 1000 steps had the smallest size", "50000"});
 }
 
 TEST(StallWatch, GoesOnFromTheCountsOfAnEarlierRun)
@@ -57,9 +58,9 @@ TEST(StallWatch, GoesOnFromTheCountsOfAnEarlierRun)
   before.save(memory);
   after.restore(memory, {});
   after.note(forced, notes);
-  EXPECT_THROW(after.requireUse(), SolveError);
+  EXPECT_THROW(after.requireUsefulRun(), SolveError);
   finer.restore(memory, {true});
   finer.note(forced, notes);
-  EXPECT_NO_THROW(finer.requireUse());
+  EXPECT_NO_THROW(finer.requireUsefulRun());
 }
 } // namespace asperity::dynamics

@@ -11,7 +11,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -61,7 +61,7 @@ protected:
     return options;
   }
 
-  const Model model{withOneBranch(), fem::testing::selfCommunicator()};
+  const Model model{withOneBranch(), fem::test::selfCommunicator()};
   State state = slidingState(model);
 };
 

@@ -10,7 +10,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -20,7 +20,7 @@ constexpr double top_velocity = 2e-4;
 ModelOptions drivenBlock()
 {
   ModelOptions options;
-  options.mesh = fem::testing::uniformRectangle(5, 4, 0.5, 0.3);
+  options.mesh = fem::test::uniformRectangle(5, 4, 0.5, 0.3);
   options.material.shear_viscosity = 0;
   options.material.bulk_viscosity = 0;
   options.conditions = {
@@ -50,7 +50,7 @@ State stepped(dynamics::Model const& model, int num_steps)
 // What motion across the fault would do is left out, since there is none.
 TEST(StaticCondensation, StiffnessIsThatOfTheBodyInEquilibrium)
 {
-  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(drivenBlock(), fem::test::selfCommunicator());
   auto const whole = quasiDynamic(model);
   auto const condensation = StaticCondensation::make(whole);
   ASSERT_TRUE(condensation);
@@ -101,7 +101,7 @@ TEST(StaticCondensation, StiffnessIsThatOfTheBodyInEquilibrium)
 
 TEST(StaticCondensation, TheLogCountsRowsWhereverTheirReceiversAre)
 {
-  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(drivenBlock(), fem::test::selfCommunicator());
   auto const whole = quasiDynamic(model);
   auto const condensation = StaticCondensation::make(whole);
   ASSERT_TRUE(condensation);
@@ -116,7 +116,7 @@ TEST(StaticCondensation, TheLogCountsRowsWhereverTheirReceiversAre)
 
 TEST(StaticCondensation, StepsAreThoseOfTheWholeBody)
 {
-  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(drivenBlock(), fem::test::selfCommunicator());
   auto const whole = quasiDynamic(model);
   auto const condensation = StaticCondensation::make(whole);
   ASSERT_TRUE(condensation);
@@ -134,7 +134,7 @@ TEST(StaticCondensation, StepsAreThoseOfTheWholeBody)
 // Each row gives one entry of expand(), which making rows does not change.
 TEST(StaticCondensation, RowsOfRecoveryGiveTheMotionOfTheWholeBody)
 {
-  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(drivenBlock(), fem::test::selfCommunicator());
   auto const whole = quasiDynamic(model);
   auto const condensation = StaticCondensation::make(whole);
   ASSERT_TRUE(condensation);
@@ -142,7 +142,7 @@ TEST(StaticCondensation, RowsOfRecoveryGiveTheMotionOfTheWholeBody)
   {
     auto const values = x->getLocalViewHost(Tpetra::Access::OverwriteAll);
     for (std::size_t i = 0; i < values.extent(0); ++i) {
-      values(i, 0) = fem::testing::pseudorandom(static_cast<GlobalOrdinal>(i), 3);
+      values(i, 0) = fem::test::pseudorandom(static_cast<GlobalOrdinal>(i), 3);
     }
   }
   auto const u = whole.body.vector();
@@ -160,7 +160,7 @@ TEST(StaticCondensation, RowsOfRecoveryGiveTheMotionOfTheWholeBody)
 
 TEST(StaticCondensation, IsRefusedWhereTheBodyIsNotInEquilibrium)
 {
-  const testing::Model model(drivenBlock(), fem::testing::selfCommunicator());
+  const dynamics::test::Model model(drivenBlock(), fem::test::selfCommunicator());
   auto const whole = quasiDynamic(model);
   EXPECT_TRUE(StaticCondensation::make(whole));
 
@@ -174,7 +174,7 @@ TEST(StaticCondensation, IsRefusedWhereTheBodyIsNotInEquilibrium)
 
   auto viscous = drivenBlock();
   viscous.material.shear_viscosity = 1;
-  const testing::Model viscous_model(viscous, fem::testing::selfCommunicator());
+  const dynamics::test::Model viscous_model(viscous, fem::test::selfCommunicator());
   EXPECT_FALSE(StaticCondensation::make(quasiDynamic(viscous_model)));
 }
 } // namespace asperity::dynamics

@@ -13,7 +13,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -29,7 +29,7 @@ public:
   {
     Kokkos::deep_copy(scale_, 0.01);
   }
-  NodeView of(State const& state) const override { return state.sigma_n; }
+  NodeView valuesIn(State const& state) const override { return state.sigma_n; }
   int respond(StepIterate const&, NodeView const&) override { return 0; }
   ConstNodeView scale() const override { return scale_; }
 
@@ -121,8 +121,8 @@ TEST_F(StepControlTest, DoublingGivesUpBelowTheSmallestStep)
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
   StepDoubling control(hasty.step, adaptive(1e-2, 2, 5));
   SolveCount count;
-  test::expectRefusal<SolveError>([&] { control.advance(state, count); },
-                                  {"t = 0 s", "0.015625 s"});
+  asperity::test::expectRefusal<SolveError>([&] { control.advance(state, count); },
+                                            {"t = 0 s", "0.015625 s"});
   EXPECT_EQ(state.time, 0);
 }
 
@@ -226,8 +226,8 @@ TEST_F(StepControlTest, PrescribedStepsThatFailEndTheRun)
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
   PrescribedSteps control(hasty.step, {3});
   SolveCount count;
-  const auto message = test::refusal<SolveError>([&] { control.advance(state, count); });
-  test::expectParts(message, {"as prescribed, failed", "'Prescribed / Levels'"});
+  const auto message = asperity::test::refusal<SolveError>([&] { control.advance(state, count); });
+  asperity::test::expectParts(message, {"as prescribed, failed", "'Prescribed / Levels'"});
   EXPECT_EQ(message.find("'Smallest Step'"), std::string::npos) << message;
   EXPECT_EQ(state.time, 0);
 }
@@ -244,7 +244,8 @@ TEST_F(StepControlTest, NamesTheNumberThatWasLost)
   StepDoubling control(stepper.step, adaptive(1e-4, 16));
   control.setPlaces([](int vertex) { return "vertex " + std::to_string(vertex); });
   SolveCount count;
-  test::expectRefusal<SolveError>([&] { control.advance(state, count); }, {"nan at vertex "});
+  asperity::test::expectRefusal<SolveError>([&] { control.advance(state, count); },
+                                            {"nan at vertex "});
 }
 
 TEST_F(StepControlTest, FindsInfinityInEachField)

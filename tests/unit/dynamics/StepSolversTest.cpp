@@ -8,7 +8,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -29,7 +29,7 @@ std::size_t bytesOfOne(Model const& model)
 
 TEST(StepSolvers, AreMadeOnceForEachLevel)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const Model model(slidingBlock(2), fem::test::selfCommunicator());
   auto solvers = makeSolvers(model, 1u << 30);
   auto* const first = &solvers.at(3);
   auto* const second = &solvers.at(4);
@@ -42,7 +42,7 @@ TEST(StepSolvers, AreMadeOnceForEachLevel)
 
 TEST(StepSolvers, ForgetTheLeastRecentlyUsedBeyondTheBudget)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const Model model(slidingBlock(2), fem::test::selfCommunicator());
   const std::size_t one = bytesOfOne(model);
   auto solvers = makeSolvers(model, 5 * one / 2); // room for two
   for (int level : {0, 1, 0}) {
@@ -59,7 +59,7 @@ TEST(StepSolvers, ForgetTheLeastRecentlyUsedBeyondTheBudget)
 
 TEST(StepSolvers, KeepTheOneInUseHoweverSmallTheBudget)
 {
-  const Model model(slidingBlock(2), fem::testing::selfCommunicator());
+  const Model model(slidingBlock(2), fem::test::selfCommunicator());
   auto solvers = makeSolvers(model, 1);
   for (int level : {0, 0, 1, 0}) {
     const std::size_t in_use = solvers.at(level).bytes();
@@ -73,7 +73,7 @@ TEST(StepSolvers, SolveWithTheMatrixOfTheStepSize)
 {
   auto options = slidingBlock(2);
   options.sigma_n = 0;
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   auto const M = denseOf(*model.body.matrices.mass);
   auto const C = denseOf(*model.body.matrices.viscosity);
   auto const K = denseOf(*model.body.matrices.stiffness);

@@ -7,7 +7,7 @@
 // Linker and Dieterich's term: a change of the normal stress shifts the state.
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -15,14 +15,14 @@ namespace
 ModelOptions restingBlock()
 {
   ModelOptions options;
-  options.mesh = fem::testing::uniformRectangle(3, 2, 0.3, 0.2);
+  options.mesh = fem::test::uniformRectangle(3, 2, 0.3, 0.2);
   return options;
 }
 
 // alpha at the end of so many steps of 4 ms 2^-level.
 double alphaAfter(ModelOptions const& options, int level, int steps, double alpha0)
 {
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, RateUpdate::newmark(0.25), DyadicTime(4e-3, 8));
   auto state = model.restingState();
   state.alpha = model.nodeView([=](auto const&) { return alpha0; });

@@ -9,7 +9,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -44,7 +44,7 @@ protected:
   }
   double error(RateUpdate const& update, double tau, WaveScale const& scale = {rate, weight}) const
   {
-    return WaveError(model.body, *model.surface, update, scale).of(state, later, tau);
+    return WaveError(model.body, *model.surface, update, scale).errorBetween(state, later, tau);
   }
 
   State later;
@@ -78,7 +78,7 @@ TEST_F(WaveErrorTest, LeavesOutABodyWithoutMass)
   change(freeDof(), 5);
   auto const massless = quasiDynamic(model);
   const WaveError waves(massless.body, *model.surface, stepper.step.update(), {rate, weight});
-  EXPECT_EQ(waves.of(state, later, 0.1), 0);
+  EXPECT_EQ(waves.errorBetween(state, later, 0.1), 0);
 }
 
 // With a weight that leaves nothing else to see.
@@ -96,13 +96,13 @@ TEST_F(WaveErrorTest, IsInTheErrorsOfControls)
   auto accepted = richardson.advance(end, count);
   richardson.advance(end, count);
   EXPECT_GT(accepted.error, 0.1);
-  EXPECT_EQ(accepted.error, waves.of(before, end, half_seconds.stepSize(8)));
+  EXPECT_EQ(accepted.error, waves.errorBetween(before, end, half_seconds.stepSize(8)));
 
   settings.coarsest_level = 8;
   StepDoubling doubling(stepper.step, settings);
   end = before.clone();
   accepted = doubling.advance(end, count);
   EXPECT_GT(accepted.error, 0.1);
-  EXPECT_EQ(accepted.error, waves.of(before, end, half_seconds.stepSize(8)));
+  EXPECT_EQ(accepted.error, waves.errorBetween(before, end, half_seconds.stepSize(8)));
 }
 } // namespace asperity::dynamics

@@ -9,7 +9,7 @@
 
 namespace asperity::dynamics
 {
-using namespace testing;
+using namespace dynamics::test;
 
 namespace
 {
@@ -60,7 +60,7 @@ TEST(Yield, GivesTheStressOfAShearedLayer)
   auto const& energy = layer.balance.energy();
   EXPECT_NEAR(energy.inelastic_work, work, 1e-9 * work);
   EXPECT_NEAR(energy.defect, 0, 1e-9 * work);
-  EXPECT_EQ(layer.count.rises, 0);
+  EXPECT_EQ(layer.count.energy_increases, 0);
 }
 
 // With inertia, friction, viscosity and gravity in addition, whatever the steps, in all dimensions.
@@ -71,7 +71,7 @@ void expectClosedBalance(Options options, Begin const& begin, std::string const&
 {
   options.yield = law;
   options.strength = of_rock;
-  const ModelIn model(options, fem::testing::selfCommunicator());
+  const ModelIn model(options, fem::test::selfCommunicator());
   auto const energy = energyOfSteps(model, begin(model));
   EXPECT_NEAR(energy.defect, 0, 1e-8 * energy.friction_work);
   EXPECT_GT(energy.inelastic_work, 1e-3 * energy.friction_work);
@@ -91,7 +91,7 @@ TEST(Yield, TakesTheEnergyThatLeavesTheBody)
 
 TEST(Yield, TakesTheEnergyThatLeavesABlockInSpace)
 {
-  auto const turn = fem::testing::rotationAbout({1, 2, 3}, 0.7);
+  auto const turn = fem::test::rotationAbout({1, 2, 3}, 0.7);
   const auto begin = [&](auto const& model) { return slidingState(model, turn); };
   expectClosedBalance(slidingBlockInSpace({4, 2, 2}, turn), begin, "Von Mises",
                       {0.5, 0, 0, 1, 1, 0, 0});
@@ -119,14 +119,14 @@ TEST(Yield, NamesTheCellThatCannotBearItsStress)
 {
   auto options = yieldingLayer();
   options.initial_stress = {0, 250};
-  const testing::Model model(options, fem::testing::selfCommunicator());
+  const dynamics::test::Model model(options, fem::test::selfCommunicator());
   auto const u = model.body.vector();
-  EXPECT_FALSE(model.body.cells->furthestBeyond(*u));
+  EXPECT_FALSE(model.body.cells->largestExcess(*u));
   const double gamma = 100 / options.material.shear_modulus;
   model.setFree(*u, [&](auto const& x) -> std::array<double, 2> {
     return {gamma * x[1], gamma * x[1]};
   });
-  auto const beyond = model.body.cells->furthestBeyond(*u);
+  auto const beyond = model.body.cells->largestExcess(*u);
   ASSERT_TRUE(beyond);
   EXPECT_GE(beyond->shear_stress, 350 * (1 - 1e-12));
   EXPECT_GT(beyond->shear_stress, beyond->kept);

@@ -15,7 +15,7 @@
 
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {

@@ -50,7 +50,7 @@ GlobalMesh<3> boxAt(double x, double y, double z)
 template <int Dim>
 BodyPieces<Dim> piecesOf(GlobalMesh<Dim> const& whole)
 {
-  const auto world = fem::testing::worldCommunicator();
+  const auto world = fem::test::worldCommunicator();
   return bodyPieces(mesh::distribute(whole, *world), world);
 }
 
@@ -142,13 +142,13 @@ TEST(BodyPieces, AFaultThatBranchesOffAnotherOne)
 
 TEST(BodyPieces, WarningsNameVertexAndPieces)
 {
-  const auto world = fem::testing::worldCommunicator();
+  const auto world = fem::test::worldCommunicator();
   const auto warnings = [world](GlobalMesh<2> const& whole) {
     return warnOfPieces(mesh::distribute(whole, *world), world);
   };
   EXPECT_TRUE(warnings(rectangleAt(0, 0)).empty());
   const auto bow_tie = warnings(both(rectangleAt(0, 0), rectangleAt(1, 1), true));
   ASSERT_EQ(bow_tie.size(), 2U);
-  test::expectParts(bow_tie[0].text, {"at 1 vertex", "vertex 24 at (1, 1)"});
-  test::expectParts(bow_tie[1].text, {"2 pieces"});
+  asperity::test::expectParts(bow_tie[0].text, {"at 1 vertex", "vertex 24 at (1, 1)"});
+  asperity::test::expectParts(bow_tie[1].text, {"2 pieces"});
 }

@@ -11,7 +11,7 @@
 
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {
@@ -100,11 +100,11 @@ TEST(BoundaryMeasure, RefuseABoundaryThatIsNotThere)
   auto whole = uniformRectangle(2, 2, 1, 1);
   whole.boundaries["void"] = {};
   auto const mesh = mesh::distribute(whole, *worldCommunicator());
-  test::expectRefusal([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
-                      {"'botom'", "Did you mean 'bottom'?"});
-  test::expectRefusal([&] { boundaryMeasure(mesh, "subduction", *worldCommunicator()); },
-                      {"'subduction'", "'bottom'", "'left'", "'right'", "'top'"});
-  test::expectRefusal([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
-                      {"'void'", "no facets"});
+  asperity::test::expectRefusal([&] { boundaryMeasure(mesh, "botom", *worldCommunicator()); },
+                                {"'botom'", "Did you mean 'bottom'?"});
+  asperity::test::expectRefusal([&] { boundaryMeasure(mesh, "subduction", *worldCommunicator()); },
+                                {"'subduction'", "'bottom'", "'left'", "'right'", "'top'"});
+  asperity::test::expectRefusal([&] { boundaryMeasure(mesh, "void", *worldCommunicator()); },
+                                {"'void'", "no facets"});
 }
 } // namespace asperity::fem

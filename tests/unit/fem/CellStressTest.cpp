@@ -11,7 +11,7 @@
 // Strain and stress in cells against Hooke's law, and the stress on planes against tractions.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {

@@ -8,7 +8,7 @@
 #include <Tpetra_Vector.hpp>
 
 // A small mesh with constraints, for their tests.
-namespace asperity::fem::testing
+namespace asperity::fem::test
 {
 using Condition = VelocityCondition<2>;
 
@@ -83,4 +83,4 @@ struct Constrained
 inline int sumOverRanks(int mine) { return asperity::sumOverRanks(mine, *worldCommunicator()); }
 
 inline bool oneRank() { return worldCommunicator()->getSize() == 1; }
-} // namespace asperity::fem::testing
+} // namespace asperity::fem::test

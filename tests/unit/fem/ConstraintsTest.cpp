@@ -9,7 +9,7 @@
 
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 TEST(Constraints, LayTheFramesAlongADippingBoundaryOnOwnedNodesAndGhosts)
 {
@@ -179,7 +179,7 @@ TEST(Constraints, AcceptConditionsThatSayTheSame)
 TEST(Constraints, RefuseConditionsThatContradictEachOther)
 {
   auto const speed = [](double value) { return [value](auto const&, double) { return value; }; };
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [&] {
       Constrained<2>(
         rectangle(),
@@ -188,7 +188,7 @@ TEST(Constraints, RefuseConditionsThatContradictEachOther)
     },
     {"Conditions / Pull", "'bottom'", "Conditions / Push", "'right'", "(3, 0)"});
   // Oblique conditions that agree with the first alone, but not with both.
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [&] {
       Constrained<2>(rectangle(),
                      {Condition{"One", "bottom", PrescribedVelocity<2>{{1, 0}, speed(1)}},
@@ -208,7 +208,7 @@ TEST(Constraints, RefuseContradictionsThatComeLater)
                    2, times);
   };
   EXPECT_NO_THROW(make({0, 9}));
-  test::expectRefusal([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
+  asperity::test::expectRefusal([&] { make({0, 9, 20}); }, {"Rest", "Push", "t = 20 s"});
 }
 
 TEST(Constraints, RefuseWhatIsNoBoundaryOrNoDirection)
@@ -216,12 +216,12 @@ TEST(Constraints, RefuseWhatIsNoBoundaryOrNoDirection)
   if (!oneRank()) {
     GTEST_SKIP() << "said once";
   }
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [] {
       Constrained<2>(rectangle(), {Condition{"Wall", "botom", SlidingWall{}}});
     },
     {"Wall", "'botom'"});
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [] {
       Constrained<2>(rectangle(), {Condition{"Wall", "bottom", AtRestAlong{{0, 0}}}});
     },

@@ -9,7 +9,7 @@
 
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 TEST(DofMap, NumbersTheComponentsOfAVertexOneAfterTheOther)
 {

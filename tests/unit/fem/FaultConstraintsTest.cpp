@@ -7,7 +7,7 @@
 // Conditions along a fault: free across it, prescribed along it, continued by another boundary.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {
@@ -173,7 +173,7 @@ TEST(FaultConstraints, TakeTwoObliqueConditionsOnAFreeBoundary)
 
 TEST(FaultConstraints, RefuseAConditionObliqueToAFreeBoundary)
 {
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [] {
       Constrained<2>(rectangle(0.3),
                      {free("bottom"), Condition{"Wall", "right", AtRestAlong{{1, 0}}}});
@@ -184,7 +184,7 @@ TEST(FaultConstraints, RefuseAConditionObliqueToAFreeBoundary)
 TEST(FaultConstraints, NameTheObliqueOneOfSeveralConditions)
 {
   const VelocityCondition<3> open{"Fault", "bottom", FreeAcrossFault{}};
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [&] {
       Constrained<3>(uniformCube(2),
                      {open, VelocityCondition<3>{"Along", "bottom", AtRestAlong{{1, 0, 0}}},
@@ -209,7 +209,7 @@ TEST(FaultConstraints, CompareVelocitiesByTheLargestOfTheBoundary)
   };
   EXPECT_NO_THROW(make(0));
   if (oneRank()) {
-    test::expectRefusal([&] { make(1e-9); }, {"Bow", "contradicts"});
+    asperity::test::expectRefusal([&] { make(1e-9); }, {"Bow", "contradicts"});
   }
 }
 } // namespace asperity::fem

@@ -14,7 +14,7 @@
 
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {
@@ -154,8 +154,8 @@ TEST(SupportWeights, RefuseAWallThatIsObliqueToTheFault)
     if (slope == 0) {
       EXPECT_EQ(weights(true), shares);
     } else {
-      test::expectRefusal([&] { weights(true); },
-                          {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
+      asperity::test::expectRefusal([&] { weights(true); },
+                                    {"Friction / Normal Stress", "Wall", "x = (0, 0, "});
     }
   }
 }

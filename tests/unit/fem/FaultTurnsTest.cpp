@@ -13,7 +13,7 @@
 // The sense of the tangents along several faults in the plane.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {

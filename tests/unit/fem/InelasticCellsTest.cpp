@@ -17,7 +17,7 @@
 // Cells that yield, on any number of ranks.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {

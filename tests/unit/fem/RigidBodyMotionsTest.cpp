@@ -9,7 +9,7 @@
 // Motions without stiffness, as many as a body has.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {

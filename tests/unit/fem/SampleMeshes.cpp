@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-namespace asperity::fem::testing
+namespace asperity::fem::test
 {
 double pseudorandom(GlobalOrdinal index, int sequence)
 {
@@ -186,4 +186,4 @@ void rotate(GlobalMesh<3>& mesh, Rotation const& rotation)
     x = rotated(rotation, x);
   }
 }
-} // namespace asperity::fem::testing
+} // namespace asperity::fem::test

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 // Small meshes for tests, and what tests need around them.
-namespace asperity::fem::testing
+namespace asperity::fem::test
 {
 inline RCP<const Communicator> worldCommunicator()
 {
@@ -53,4 +53,4 @@ Rotation rotationAbout(Point<3> axis, double angle);
 Point<3> rotated(Rotation const& rotation, Point<3> const& x);
 Point<3> rotatedBack(Rotation const& rotation, Point<3> const& x);
 void rotate(GlobalMesh<3>& mesh, Rotation const& rotation);
-} // namespace asperity::fem::testing
+} // namespace asperity::fem::test

@@ -9,7 +9,7 @@
 // Frames on a fault in space, where it dips and bends, and where it ends at walls and surfaces.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 using Eigen::Vector3d;
 
 namespace
@@ -164,7 +164,7 @@ TEST(SpaceConstraints, MeetAVelocityObliqueToWallsAndFault)
 
 TEST(SpaceConstraints, RefuseContradictionsAtACorner)
 {
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [] {
       Body(boxOn(dipping),
            {across("Fault", "bottom"), across("Wall", "front"), across("Side", "left"),
@@ -222,7 +222,7 @@ TEST(SpaceConstraints, LayTheNormalOfAFreeFaultIntoTheWallsThatItEndsAt)
 
 TEST(SpaceConstraints, RefuseWallsObliqueToAFreeFault)
 {
-  test::expectRefusal(
+  asperity::test::expectRefusal(
     [] {
       Body(boxOn(dipping), {free("bottom"), across("Wall", "left")});
     },
@@ -235,7 +235,8 @@ TEST(SpaceConstraints, RefuseASlipDirectionAcrossTheFault)
     GTEST_SKIP() << "said once";
   }
   const Condition3 slip{"Slip", "top", SlipTowards<3>{{0, -2, 0}, constant(0), {}}};
-  test::expectRefusal([&] { Body(boxOn(dipping), {slip}); }, {"Slip", "(0, -2, 0)", "'top'"});
+  asperity::test::expectRefusal([&] { Body(boxOn(dipping), {slip}); },
+                                {"Slip", "(0, -2, 0)", "'top'"});
 }
 
 TEST(TangentialComponents, AreThoseFarFromTheNormal)

@@ -15,7 +15,7 @@
 // Faults inside the body: what the unknowns at their nodes, mean and jump, mean.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {
@@ -226,8 +226,8 @@ TEST(TwoSidedFault, TakesConditionsInPairs)
   }
 
   conditions.pop_back();
-  test::expectRefusal([&] { Constrained<2>(mesh, conditions); },
-                      {"Left", "one side of a fault alone", "x = (1.5, 0)"});
+  asperity::test::expectRefusal([&] { Constrained<2>(mesh, conditions); },
+                                {"Left", "one side of a fault alone", "x = (1.5, 0)"});
 }
 
 TEST(TwoSidedFault, HasOneSurfaceWithTwoCopiesOfEachNode)

@@ -20,7 +20,7 @@
 // and the stiffness and the stress that follow from them.
 namespace asperity::fem
 {
-using namespace testing;
+using namespace fem::test;
 
 namespace
 {
@@ -269,7 +269,7 @@ TYPED_TEST(VolumetricPatchesTest, HaveOneVertexAndOneRegion)
     }
   }
   for (std::size_t cell = 0; cell < times_used.size(); ++cell) {
-    EXPECT_EQ(times_used[cell], rock.patches.of_cell[cell] < 0 ? 0 : 1);
+    EXPECT_EQ(times_used[cell], rock.patches.patch_of_cell[cell] < 0 ? 0 : 1);
   }
 }
 

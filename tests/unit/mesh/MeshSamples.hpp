@@ -62,7 +62,7 @@ void expectConforming(GlobalMesh<Dim> const& mesh)
         << name;
     }
   }
-  EXPECT_EQ(table.ofOneCell().size(), num_named);
+  EXPECT_EQ(table.outerEntries().size(), num_named);
 }
 
 template <int Dim>

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace asperity::multigrid::testing
+namespace asperity::multigrid::test
 {
 inline constexpr int num_nodes = 900, width = 3; // of an aggregate
 inline constexpr int last = num_nodes - 1;       // which is held
@@ -245,4 +245,4 @@ struct Chain
   std::shared_ptr<const Hierarchy> hierarchy;
   std::unique_ptr<Cycle> cycle;
 };
-} // namespace asperity::multigrid::testing
+} // namespace asperity::multigrid::test

@@ -17,7 +17,7 @@
 
 namespace asperity::multigrid
 {
-using namespace testing;
+using namespace multigrid::test;
 
 namespace
 {
@@ -86,7 +86,7 @@ TEST(Cycle, IsPositiveHoweverStronglyChunksAreCoupled)
       EXPECT_LE((B - B.transpose()).norm(), 1e-5 * B.norm());
       const Eigen::MatrixXd symmetric = (B + B.transpose()) / 2;
       // B x = lambda A^-1 x has the eigenvalues of B A.
-      const Eigen::MatrixXd A = testing::chain(2.01, 12).topLeftCorner(last, last);
+      const Eigen::MatrixXd A = multigrid::test::chain(2.01, 12).topLeftCorner(last, last);
       const auto eigenvalues = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
                                  symmetric, A.inverse(), Eigen::EigenvaluesOnly)
                                  .eigenvalues()
@@ -128,7 +128,7 @@ TEST(Smoothers, OneFromOutsideIsFoundByItsName)
   ASSERT_TRUE(chain.cycle->setup(no_blocks, none_removed));
   Eigen::VectorXd r = Chain::force(0);
   const auto [z, image] = chain.run(r);
-  const Eigen::MatrixXd P = prolongator(), A = testing::chain();
+  const Eigen::MatrixXd P = prolongator(), A = multigrid::test::chain();
   const Eigen::MatrixXd coarse = P.transpose() * A * P;
   const Eigen::VectorXd expected = P * coarse.ldlt().solve(P.transpose() * r);
   EXPECT_LE((z - expected).norm(), 1e-3 * expected.norm());
@@ -148,7 +148,7 @@ TEST(Smoothers, ChebyshevIsAPolynomialWithARootAtOne)
 {
   const Chain chain({defaultRowOrder(), 1});
   auto const& level = chain.hierarchy->levels()[0];
-  const Matrix given(testing::chain());
+  const Matrix given(multigrid::test::chain());
   LevelMatrix matrix = {level, chain.hierarchy->inOrder(given.blocks),
                         {},    numbers(Eigen::VectorXd::Constant(num_nodes, 1 / 2.01)),
                         {},    [](double*, int) {}};
@@ -161,7 +161,7 @@ TEST(Smoothers, ChebyshevIsAPolynomialWithARootAtOne)
   chain.cycle->toRows(Chain::onNodes(b), 1, on_rows);
   smoother->presmooth(matrix, on_rows, x, residual);
   const Eigen::VectorXd found = chain.fromRows(x);
-  const Eigen::MatrixXd A = testing::chain();
+  const Eigen::MatrixXd A = multigrid::test::chain();
   const Eigen::VectorXd u = b / 2.01, w = A * u / 2.01;
   const double t = 2 / (1 - std::cos(2 * M_PI / 5));
   EXPECT_LE((4 / t * u - 3.2 / (t * t) * w - found).norm(), 1e-5 * found.norm());
@@ -323,7 +323,7 @@ TEST(FloatConjugateGradients, SolveToTheirTolerance)
   const auto r = Chain::force(0);
   const auto given = Chain::onNodes(r);
   const NodeView c("c", num_nodes);
-  for (double tolerance : {1e-1, FloatConjugateGradients::certain}) {
+  for (double tolerance : {1e-1, FloatConjugateGradients::smallest_tolerance}) {
     reductions = 0;
     const auto result = gradients.solve(given, r.norm(), tolerance, 100, c);
     EXPECT_TRUE(result.converged);
@@ -345,7 +345,7 @@ TEST(AddedBlocks, AreAGalerkinProduct)
     const auto A = makeNumbers(level.terms[0].extent(0));
     Kokkos::deep_copy(A, level.terms[0]);
     level.added.addTo(A, chain.H);
-    Eigen::MatrixXd fine = testing::chain();
+    Eigen::MatrixXd fine = multigrid::test::chain();
     for (int node = 0; node < num_nodes; ++node) {
       fine(node, node) += Chain::blockAt(node);
     }

@@ -92,7 +92,7 @@ class Choosing(FolderCase):
         np.testing.assert_array_equal(merged["number"], [9, 13, 17])
 
     def test_again_keeps_the_choice(self):
-        self.assertEqual(len(self.run_.select(smallest_width=1e3).again().events), 5)
+        self.assertEqual(len(self.run_.select(smallest_width=1e3).reloaded().events), 5)
 
     def test_magnitudes_need_a_surface(self):
         with self.assertRaisesRegex(asperity.InputError, "no magnitudes.*smallest width"):
@@ -101,7 +101,7 @@ class Choosing(FolderCase):
     def test_magnitudes(self):
         write(self.folder, HEADER.replace("moment_per_length [N]", "moment [N m]")
               .replace("nucleation_from_upper_end [m]", "magnitude"))
-        table = self.run_.again().select(merging_time=30.0 * DAY).events
+        table = self.run_.reloaded().select(merging_time=30.0 * DAY).events
         np.testing.assert_allclose(table["magnitude"], (np.log10(4e13 + 3e10) - 9.1) / 1.5)
         self.assertEqual(len(self.run_.select(smallest_magnitude=1e4).events), 5)
 

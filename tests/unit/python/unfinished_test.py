@@ -60,7 +60,7 @@ class Unfinished(FolderCase):
         with open(self.folder / "steps.csv", "a", encoding="utf-8") as file:
             file.write((self.folder / "steps.csv").read_text().splitlines()[-1] + "\n")
         self.assertEqual(len(run.steps), before)
-        self.assertEqual(len(run.again().steps), before + 1)
+        self.assertEqual(len(run.reloaded().steps), before + 1)
 
     def test_a_rewritten_history_is_left_as_it_was_opened(self):
         run = asperity.Run(self.folder)
@@ -70,4 +70,4 @@ class Unfinished(FolderCase):
             file["time"] = np.arange(2.0)
         other.replace(self.folder / "fault.h5")
         self.assertEqual(run.fault["slip"].shape[0], rows)
-        self.assertEqual(run.again().fault.time.size, 2)
+        self.assertEqual(run.reloaded().fault.time.size, 2)

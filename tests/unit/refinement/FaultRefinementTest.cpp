@@ -4,7 +4,7 @@
 
 using namespace asperity;
 using namespace asperity::refinement;
-using namespace asperity::refinement::testing;
+using namespace asperity::refinement::test;
 
 namespace
 {

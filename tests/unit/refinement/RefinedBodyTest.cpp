@@ -6,7 +6,7 @@
 #include <Tpetra_Vector.hpp>
 
 using namespace asperity;
-using namespace asperity::refinement::testing;
+using namespace asperity::refinement::test;
 
 namespace
 {

@@ -10,7 +10,7 @@
 
 #include <random>
 
-namespace asperity::refinement::testing
+namespace asperity::refinement::test
 {
 using namespace asperity::mesh;
 
@@ -114,4 +114,4 @@ void expectPartOf(GlobalMesh<Dim> const& whole, Mesh<Dim> const& part)
   EXPECT_EQ(sumOverRanks(static_cast<double>(part.num_owned), world()),
             static_cast<double>(whole.vertices.size()));
 }
-} // namespace asperity::refinement::testing
+} // namespace asperity::refinement::test

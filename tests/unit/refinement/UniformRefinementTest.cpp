@@ -4,7 +4,7 @@
 
 using namespace asperity;
 using namespace asperity::refinement;
-using namespace asperity::refinement::testing;
+using namespace asperity::refinement::test;
 
 namespace
 {
@@ -149,11 +149,11 @@ TEST(UniformRefinement, KeepsTheBalance)
             1.12);
 }
 
-TEST(UniformRefinement, RefusesWhatHasNoRoom)
+TEST(UniformRefinement, RefusesWhatDoesNotFit)
 {
   const auto part = distribute(unitBox(2), world());
   const auto refuse = [&](int refinements, std::vector<std::string> const& pieces) {
-    test::expectRefusal([&] { refineUniformly(part, refinements, world()); }, pieces);
+    asperity::test::expectRefusal([&] { refineUniformly(part, refinements, world()); }, pieces);
   };
   refuse(-1, {"Mesh / Refinements = -1 is outside [0, inf)"});
   refuse(9, {"Mesh / Refinements = 9 makes some", "6.44245e+09 cells"});

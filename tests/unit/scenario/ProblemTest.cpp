@@ -240,14 +240,14 @@ TEST(RunArchive, ReturnsWhatWasSaved)
 
   dynamics::SolveCount count;
   count.tnnmg_iterations = 7;
-  count.rises = 2;
+  count.energy_increases = 2;
   dynamics::Energy energy;
   energy.friction_work = -0.1;
   energy.defect = 1e-20;
   saveMembers(archive, "count", count);
   saveMembers(archive, "energy", energy);
   EXPECT_EQ(loadMembers<dynamics::SolveCount>(archive, "count").tnnmg_iterations, 7);
-  EXPECT_EQ(loadMembers<dynamics::SolveCount>(archive, "count").rises, 2);
+  EXPECT_EQ(loadMembers<dynamics::SolveCount>(archive, "count").energy_increases, 2);
   EXPECT_EQ(loadMembers<dynamics::Energy>(archive, "energy").friction_work, -0.1);
   EXPECT_EQ(loadMembers<dynamics::Energy>(archive, "energy").defect, 1e-20);
 }

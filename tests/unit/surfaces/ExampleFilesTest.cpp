@@ -36,7 +36,7 @@ TriangleSurface surfaceShown(std::string const& name, SurfaceContext context = {
 {
   auto list = shown(name);
   context.folder = std::string(ASPERITY_SOURCE_DIR) + "/examples/your_fault";
-  context.tell = [](std::string const& remark) { ADD_FAILURE() << remark; };
+  context.remark = [](std::string const& remark) { ADD_FAILURE() << remark; };
   Declare declare;
   declareSurface(declare);
   chooseSurfaceType(list, name);

@@ -16,7 +16,7 @@ protected:
   {
     FileTest::SetUp();
     context_.folder = folder();
-    context_.tell = [](std::string const& remark) { ADD_FAILURE() << remark; };
+    context_.remark = [](std::string const& remark) { ADD_FAILURE() << remark; };
   }
 
   // As a deck is read.

@@ -11,7 +11,7 @@
 
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 
 namespace
 {

@@ -14,7 +14,7 @@
 #include <cmath>
 #include <random>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 namespace
 {
@@ -328,4 +328,4 @@ Eigen::VectorXd pseudorandomVector(int size, int sequence)
   }
   return result;
 }
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

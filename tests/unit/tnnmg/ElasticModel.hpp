@@ -7,7 +7,7 @@
 
 #include <vector>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 // A rectangle of gelatine, 1 m wide, of P1 triangles: Z = (2/tau) M + C + (tau/2) K. Its lower side
 // is the fault, its right side is held. Nodes are numbered column by column, so that ranks share
@@ -61,4 +61,4 @@ ConstBlockView denseCopyOf(CrsMatrix const& matrix);
 // In [-1, 1), the same on every rank and in every run.
 double pseudorandom(int index, int sequence);
 Eigen::VectorXd pseudorandomVector(int size, int sequence);
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

@@ -13,8 +13,8 @@ TEST(EnergyChange, RisesByMoreThanTheRoundingOfALongSum)
   }
   const double off = sum - 0.1 * count;
   EXPECT_GT(off, 1e-12 * sum);
-  EXPECT_EQ((EnergyChange{off, sum}.rises(count)), 0);
-  EXPECT_EQ((EnergyChange{1e-9 * sum, sum}.rises(count)), 1);
-  EXPECT_EQ((EnergyChange{1e-14 * sum, sum}.rises(10)), 1);
+  EXPECT_EQ((EnergyChange{off, sum}.countsAsIncrease(count)), 0);
+  EXPECT_EQ((EnergyChange{1e-9 * sum, sum}.countsAsIncrease(count)), 1);
+  EXPECT_EQ((EnergyChange{1e-14 * sum, sum}.countsAsIncrease(10)), 1);
 }
 } // namespace asperity::tnnmg

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 namespace
 {
@@ -93,4 +93,4 @@ Eigen::VectorXd FaultState::project(ElasticModel const& model, Eigen::VectorXd v
   }
   return vector;
 }
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

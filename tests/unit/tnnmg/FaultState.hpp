@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 enum class Truncation
 {
@@ -33,4 +33,4 @@ struct FaultState
   std::vector<Eigen::MatrixXd> hessian; // of all fault nodes, on every rank
   std::vector<int> truncated;
 };
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

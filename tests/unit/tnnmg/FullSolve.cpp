@@ -5,7 +5,7 @@
 
 #include <Tpetra_CrsMatrix.hpp>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 TnnmgSettings tight()
 {
@@ -44,4 +44,4 @@ Eigen::VectorXd atRest(RateProblem const& problem)
 {
   return Eigen::VectorXd::Zero(problem.model.global.rows());
 }
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

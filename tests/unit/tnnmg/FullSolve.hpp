@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 TnnmgSettings tight();
 Teuchos::ParameterList multigridParameters();
@@ -19,4 +19,4 @@ TnnmgResult solveFull(RateProblem const& problem, NodalProblem const& nodes,
                       TnnmgSettings const& settings, Eigen::VectorXd& v,
                       std::map<int, double> const& held = {},
                       std::shared_ptr<LinearCorrection> correction = nullptr);
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

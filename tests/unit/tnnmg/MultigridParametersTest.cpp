@@ -12,7 +12,7 @@
 
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 
 namespace
 {
@@ -40,13 +40,14 @@ TEST(MultigridParameters, RefusesParametersThatNobodyKnows)
   EXPECT_THROW(MultigridCorrection(model.problem(), with_repartitioning), InputError);
   auto with_unknown_smoother = parameters();
   with_unknown_smoother.set("Smoother", "Soap");
-  test::expectRefusal<InputError>(
+  asperity::test::expectRefusal<InputError>(
     [&] { MultigridCorrection(model.problem(), with_unknown_smoother); },
     {"Smoother", "Soap", "Chebyshev"});
   auto of_muelu = parameters();
   of_muelu.set("Cycle", "MueLu").set("Smoother", "Chebyshev");
-  test::expectRefusal<InputError>([&] { MultigridCorrection(model.problem(), of_muelu); },
-                                  {"Smoother = Chebyshev has no effect", "smoother: type"});
+  asperity::test::expectRefusal<InputError>(
+    [&] { MultigridCorrection(model.problem(), of_muelu); },
+    {"Smoother = Chebyshev has no effect", "smoother: type"});
   auto with_unknown_method = parameters();
   with_unknown_method.set("Method", "W-Cycles");
   EXPECT_THROW(MultigridCorrection(model.problem(), with_unknown_method), InputError);
@@ -78,16 +79,17 @@ TEST(MultigridParameters, RefusesListsThatMueLuOrBelosDoesNotTake)
 {
   using List = Teuchos::ParameterList;
   const auto algorithm = [](List& list) { list.set("multigrid algorithm", "SANDPAPER"); };
-  test::expectParts(refusal("MueLu", algorithm), {"SANDPAPER"});
-  test::expectParts(refusal("MueLu", [](List& list) { list.set("max level", 3); }),
-                    {"Did you mean \"max levels\""});
-  test::expectParts(refusal("MueLu", [](List& list) { list.set("max levels", "three"); }),
-                    {"max levels"});
-  test::expectParts(refusal("Belos", [](List& list) { list.set("Tolerence", 1e-3); }),
-                    {"Tolerence"});
-  test::expectParts(refusal(
-                      "MueLu", [](List& list) { list.set("smoother: type", "SOAP"); }, "MueLu"),
-                    {"SOAP"});
+  asperity::test::expectParts(refusal("MueLu", algorithm), {"SANDPAPER"});
+  asperity::test::expectParts(refusal("MueLu", [](List& list) { list.set("max level", 3); }),
+                              {"Did you mean \"max levels\""});
+  asperity::test::expectParts(refusal("MueLu", [](List& list) { list.set("max levels", "three"); }),
+                              {"max levels"});
+  asperity::test::expectParts(refusal("Belos", [](List& list) { list.set("Tolerence", 1e-3); }),
+                              {"Tolerence"});
+  asperity::test::expectParts(
+    refusal(
+      "MueLu", [](List& list) { list.set("smoother: type", "SOAP"); }, "MueLu"),
+    {"SOAP"});
 }
 
 TEST(MultigridParameters, TakesListsThatMueLuAndBelosTake)
@@ -105,7 +107,7 @@ TEST(MultigridParameters, FailureOfTheSetUpIsNoFaultOfTheList)
   const ElasticModel model{ElasticModelOptions()};
   auto problem = model.problem();
   problem.near_null_space = rcp(new MultiVector(problem.Z->getRowMap(), 3)); // zero
-  test::expectRefusal<SolveError>([&] { MultigridCorrection(problem, parameters()); },
-                                  {"MueLu cannot set up"});
+  asperity::test::expectRefusal<SolveError>([&] { MultigridCorrection(problem, parameters()); },
+                                            {"MueLu cannot set up"});
 }
 } // namespace asperity::tnnmg

@@ -22,7 +22,7 @@
 
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 
 namespace
 {
@@ -418,7 +418,7 @@ TEST(CoarsestSolver, RefusesMoreRowsThanEveryRankCanHave)
     identity->insertGlobalValues(id, 1, &one, &id);
   }
   identity->fillComplete();
-  test::expectRefusal<SolveError>([&] { solverFor(identity, 1); }, {"20001 rows"});
+  asperity::test::expectRefusal<SolveError>([&] { solverFor(identity, 1); }, {"20001 rows"});
 }
 
 TEST(CoarsestSolver, RefusesAnIndefiniteMatrixOnAllRanks)

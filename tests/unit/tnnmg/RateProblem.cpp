@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 namespace
 {
@@ -225,4 +225,4 @@ Eigen::VectorXd RateProblem::reference(std::map<int, double> const& held) const
   }
   return condensed.expand(v);
 }
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

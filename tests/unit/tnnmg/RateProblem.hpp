@@ -7,7 +7,7 @@
 #include <iosfwd>
 #include <map>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 enum class Kind
 {
@@ -53,4 +53,4 @@ struct RateProblem
   Eigen::VectorXd b;
   std::vector<Roughness> nodes; // all, on every rank
 };
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

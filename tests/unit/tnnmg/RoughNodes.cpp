@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 namespace
 {
@@ -200,4 +200,4 @@ EnergyChange RoughNodes::difference(ConstBlockView const& v, ConstBlockView cons
   }
   return result;
 }
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

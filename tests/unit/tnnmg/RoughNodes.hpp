@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace asperity::tnnmg::testing
+namespace asperity::tnnmg::test
 {
 // psi(v) = threshold |v| + strength m(|v|), m(0) = 0, m'(V) = asinh(V / scale): a kink at rest, and
 // a resistance that grows like a logarithm.
@@ -40,4 +40,4 @@ public:
 private:
   std::vector<Roughness> nodes_;
 };
-} // namespace asperity::tnnmg::testing
+} // namespace asperity::tnnmg::test

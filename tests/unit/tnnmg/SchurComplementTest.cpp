@@ -12,7 +12,7 @@
 
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 
 namespace
 {
@@ -170,8 +170,8 @@ TEST(SchurComplement, RefusesAMatrixThatIsNotDefinite)
     broken.replaceLocalValues(row, 1, &value, &row);
     broken.fillComplete();
     SCOPED_TRACE(row);
-    test::expectRefusal<SolveError>([&] { SchurComplement(broken, rows); },
-                                    {"not positive definite"});
+    asperity::test::expectRefusal<SolveError>([&] { SchurComplement(broken, rows); },
+                                              {"not positive definite"});
   }
 }
 // To the last bit, whichever matrix was first: a restart sets other step sizes up first.

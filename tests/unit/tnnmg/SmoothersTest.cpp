@@ -18,7 +18,7 @@
 // Sweeps on the finest level, on 1 to 3 ranks, against dense algebra that knows of no rank.
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 using multigrid::LevelMatrix;
 using multigrid::NodeVector;
 

@@ -11,7 +11,7 @@
 
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 
 TEST(Tnnmg, SaysThatItHasNotConverged)
 {
@@ -152,11 +152,11 @@ TEST(Tnnmg, DoesNotConvergeWhereNoCorrectionIsADescent)
   };
   const auto uphill = solve(-1);
   EXPECT_FALSE(uphill.converged);
-  EXPECT_EQ(uphill.lost_corrections, uphill.iterations);
+  EXPECT_EQ(uphill.failed_corrections, uphill.iterations);
   EXPECT_LE(uphill.last_change, 1e-8) << "which would pass for convergence";
   const auto downhill = solve(1);
   EXPECT_TRUE(downhill.converged);
-  EXPECT_EQ(downhill.lost_corrections, 0);
+  EXPECT_EQ(downhill.failed_corrections, 0);
 }
 
 // Gauss-Seidel on the fault comes to rest against a body that nothing has moved.
@@ -169,7 +169,7 @@ TEST(Tnnmg, DoesNotConvergeWithoutCorrections)
                                   std::make_shared<LostCorrection>(value));
     EXPECT_FALSE(result.converged);
     EXPECT_EQ(result.iterations, TnnmgSettings().max_iterations);
-    EXPECT_EQ(result.lost_corrections, result.iterations);
+    EXPECT_EQ(result.failed_corrections, result.iterations);
     EXPECT_LE(result.last_change, 1e-8) << "which would pass for convergence";
     EXPECT_TRUE(v.allFinite());
   }

@@ -17,7 +17,7 @@
 
 namespace asperity::tnnmg
 {
-using namespace testing;
+using namespace tnnmg::test;
 namespace
 {
 std::vector<int> flat(std::vector<std::vector<int>> const& blocks)
@@ -77,7 +77,7 @@ void checkSolution(RateProblem const& problem, TnnmgResult const& result, Eigen:
                    Eigen::VectorXd const& reference)
 {
   EXPECT_TRUE(result.converged);
-  EXPECT_EQ(result.rises, 0);
+  EXPECT_EQ(result.energy_increases, 0);
   EXPECT_EQ(result.failed_nodes, 0);
   EXPECT_EQ(result.corrections, result.iterations);
   EXPECT_LE(problem.energyNorm(v - reference), 1e-11 * problem.energyNorm(reference));
@@ -175,7 +175,7 @@ TEST_P(TnnmgCase, LowersEnergyInEveryIteration)
   const auto start = before.value;
   for (int iteration = 0; iteration < 12; ++iteration) {
     const auto result = solveFull(problem, problem.nodesOfRank(), once, v);
-    EXPECT_EQ(result.rises, 0);
+    EXPECT_EQ(result.energy_increases, 0);
     const auto after = problem.energy(v);
     EXPECT_LE(after.value, before.value + 1e-15 * (after.magnitude + before.magnitude))
       << "iteration " << iteration;
@@ -225,7 +225,7 @@ TEST(Tnnmg, CountsEveryRiseOfTheEnergy)
   once.max_iterations = 1;
   auto v = atRest(problem);
   const auto result = solveFull(problem, RisingNodes{problem.nodesOfRank()}, once, v);
-  EXPECT_EQ(result.rises, 2) << "after the sweeps and after the correction";
+  EXPECT_EQ(result.energy_increases, 2) << "after the sweeps and after the correction";
 }
 
 TEST(Tnnmg, KeepsTheVelocityOfHeldNodes)
@@ -306,7 +306,7 @@ TEST(Tnnmg, CountsHalfStepsThatRaiseTheEnergy)
   settings.max_iterations = 3;
   auto v = problem.reference();
   const auto result = solveFull(problem, OvershootingNodes(problem.nodesOfRank()), settings, v);
-  EXPECT_EQ(result.rises, 3) << "one for each sweep, none for the corrections";
+  EXPECT_EQ(result.energy_increases, 3) << "one for each sweep, none for the corrections";
 }
 
 TEST(TnnmgBlocks, LeavesOutKinkedHeldAndStiffNodes)

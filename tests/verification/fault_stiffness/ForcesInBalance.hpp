@@ -32,7 +32,7 @@ Eigen::VectorXd
 forcesInBalance(GlobalMesh<Dim> const& mesh, int components, Rock const& rock,
                 std::function<Motion(Point<Dim> const&, int component)> const& motion)
 {
-  const fem::testing::Constrained<Dim> body(mesh, {}, components);
+  const fem::test::Constrained<Dim> body(mesh, {}, components);
   EXPECT_TRUE(body.mesh.vertices == mesh.vertices) << "vertices were renumbered";
   const double bulk_modulus =
     2 * rock.shear_modulus * (1 + rock.poissons_ratio) / (3 * (1 - 2 * rock.poissons_ratio));

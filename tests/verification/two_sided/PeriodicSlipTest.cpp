@@ -95,7 +95,7 @@ public:
       if (x > 1 - off) {
         continue; // the node at x = 0
       }
-      const fem::testing::Constrained<2>::Value along =
+      const fem::test::Constrained<2>::Value along =
         body_.row(split.plus, 0) * forces[number_[body_.dofs.dof(split.plus, 0)]] +
         body_.row(split.plus, 1) * forces[number_[body_.dofs.dof(split.plus, 1)]];
       const double spacing = 1 / static_cast<double>(body_.mesh.splits.size() - 1);
@@ -175,7 +175,7 @@ private:
     return forcesOfGiven(stiffness(), prescribed_, u);
   }
 
-  fem::testing::Constrained<2> body_;
+  fem::test::Constrained<2> body_;
   fem::BodyMatrices matrices_;
   int num_unknowns_ = 0;
   std::vector<int> number_;      // of each dof

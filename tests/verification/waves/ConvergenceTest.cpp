@@ -26,7 +26,7 @@ double errorOf(Wave wave, dynamics::RateUpdate const& update, int cells, int ste
       options.conditions.push_back({side, side, fem::SlidingWall{}});
     }
   }
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   auto const moduli = moduliOf(wave, options.material);
   const double c = std::sqrt(moduli.elastic / options.material.density);
   const Complex s = rootOf(moduli, c * q);

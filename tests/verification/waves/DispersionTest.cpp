@@ -14,7 +14,7 @@ void expectTheDiscreteWave(Wave wave, dynamics::RateUpdate const& update, double
 {
   const double length = 1, q = 2.5 * M_PI / length, dt = 2e-3;
   const int cells = 24;
-  auto options = freeSliding(wave, fem::testing::uniformRectangle(cells, 6, length, 0.2));
+  auto options = freeSliding(wave, fem::test::uniformRectangle(cells, 6, length, 0.2));
   options.material.bulk_viscosity *= viscosity;
   options.material.shear_viscosity *= viscosity;
   auto const moduli = moduliOf(wave, options.material);
@@ -32,7 +32,7 @@ void expectTheDiscreteWave(Wave wave, dynamics::RateUpdate const& update, double
       options.conditions.push_back({side, side, fem::PrescribedVelocity<2>{direction, velocity}});
     }
   }
-  const Model model(options, fem::testing::selfCommunicator());
+  const Model model(options, fem::test::selfCommunicator());
   Stepper stepper(model, update, dynamics::DyadicTime(dt, 0));
   Complex U = 1. / s;
   auto state = waveState(model, wave, q, s, U);

@@ -15,8 +15,8 @@ class ModesTest : public ::testing::TestWithParam<int>
 protected:
   explicit ModesTest(double viscosity = 0)
   {
-    auto mesh = fem::testing::uniformRectangle(6, 5, 1, 0.7);
-    fem::testing::distort(mesh, 0.03);
+    auto mesh = fem::test::uniformRectangle(6, 5, 1, 0.7);
+    fem::test::distort(mesh, 0.03);
     auto options = freeSliding(GetParam() == 1 ? Wave::antiplane_shear : Wave::shear, mesh);
     options.material.shear_viscosity = viscosity;
     options.material.bulk_viscosity =
@@ -24,7 +24,7 @@ protected:
     if (GetParam() == 2) {
       options.conditions = {{"Wall", "bottom", fem::SlidingWall{}}};
     }
-    model = std::make_unique<Model>(options, fem::testing::selfCommunicator());
+    model = std::make_unique<Model>(options, fem::test::selfCommunicator());
     M = denseOf(*model->body.matrices.mass);
     K = denseOf(*model->body.matrices.stiffness);
   }

@@ -14,7 +14,7 @@
 //   backward Euler               exp(s dt) becomes 1 / (1 - s dt)
 namespace asperity::verification
 {
-using namespace dynamics::testing;
+using namespace dynamics::test;
 using Complex = std::complex<double>;
 
 enum class Wave

@@ -41,13 +41,13 @@ void BinaryFile::read(char* bytes, std::uint64_t count)
   position_ += count;
 }
 
-void BinaryFile::requireRoom(std::uint64_t count, std::uint64_t bytes_each,
-                             std::string const& things) const
+void BinaryFile::requireBytes(std::uint64_t count, std::uint64_t bytes_each,
+                              std::string const& things) const
 {
-  const std::uint64_t room = position_ < size_ ? (size_ - position_) / bytes_each : 0;
-  if (count > room) {
+  const std::uint64_t capacity = position_ < size_ ? (size_ - position_) / bytes_each : 0;
+  if (count > capacity) {
     fail("the file names " + std::to_string(count) + " " + things +
-         ", but its size allows at most " + std::to_string(room) + ": it is cut or damaged.");
+         ", but its size allows at most " + std::to_string(capacity) + ": it is cut or damaged.");
   }
 }
 

@@ -35,7 +35,7 @@ Number fromBytes(char const* bytes, ByteOrder order)
 }
 
 // A binary file that is read from front to back or at given places. A count in a damaged header
-// must not lead to memory that the file cannot fill: requireRoom. All functions throw InputError.
+// must not lead to memory that the file cannot fill: requireBytes. All functions throw InputError.
 class BinaryFile
 {
 public:
@@ -55,7 +55,7 @@ public:
   }
 
   // Unless the rest of the file may hold `count` things of at least `bytes_each` bytes.
-  void requireRoom(std::uint64_t count, std::uint64_t bytes_each, std::string const& things) const;
+  void requireBytes(std::uint64_t count, std::uint64_t bytes_each, std::string const& things) const;
 
   [[noreturn]] void fail(std::string const& message) const; // "WHERE, byte N: message"
   std::string const& where() const { return where_; }

@@ -10,10 +10,10 @@ std::size_t countAt(TextFile const& file, std::size_t i, std::uint64_t bytes_eac
                     char const* things)
 {
   const auto count = file.integer(i);
-  const auto room = static_cast<std::int64_t>(file.size() / bytes_each);
-  if (count < 0 || count > room) {
+  const auto capacity = static_cast<std::int64_t>(file.size() / bytes_each);
+  if (count < 0 || count > capacity) {
     file.fail("the file names " + std::to_string(count) + " " + things +
-              ", but its size allows at most " + std::to_string(room) + ".");
+              ", but its size allows at most " + std::to_string(capacity) + ".");
   }
   return static_cast<std::size_t>(count);
 }

@@ -157,7 +157,7 @@ class TextSource
 {
 public:
   explicit TextSource(TextFile& file) : file_(file) {}
-  void requireRoom(std::uint64_t count, std::uint64_t bytes_each, std::string const& things) const
+  void requireBytes(std::uint64_t count, std::uint64_t bytes_each, std::string const& things) const
   {
     if (count > (file_.size() - std::min(file_.size(), file_.offset())) / bytes_each + 1) {
       fail("the file names " + std::to_string(count) + " " + things +
@@ -184,9 +184,9 @@ class BinarySource
 {
 public:
   BinarySource(BinaryFile& file, ByteOrder order) : file_(file), order_(order) {}
-  void requireRoom(std::uint64_t count, std::uint64_t bytes_each, std::string const& things) const
+  void requireBytes(std::uint64_t count, std::uint64_t bytes_each, std::string const& things) const
   {
-    file_.requireRoom(count, bytes_each, things);
+    file_.requireBytes(count, bytes_each, things);
   }
   void begin() {}
   double number(Type type)
@@ -218,8 +218,8 @@ public:
   TriangleSurface run()
   {
     for (auto const& element : header_.elements) {
-      source_.requireRoom(element.count, element.leastSize(header_.is_text),
-                          "elements '" + element.name + "'");
+      source_.requireBytes(element.count, element.leastSize(header_.is_text),
+                           "elements '" + element.name + "'");
       if (element.name == "vertex") {
         readVertices(element);
       } else if (element.name == "face") {

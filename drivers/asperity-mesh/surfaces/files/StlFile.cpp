@@ -58,7 +58,7 @@ std::vector<SurfacePart> readBinary(BinaryFile& file)
 {
   file.seek(header_size);
   const auto count = file.number<std::uint32_t>(ByteOrder::little);
-  file.requireRoom(count, size_of_triangle, "triangles");
+  file.requireBytes(count, size_of_triangle, "triangles");
   std::vector<SurfacePart> parts(1);
   auto& surface = parts.front().surface;
   surface.points.reserve(std::size_t(3) * count);

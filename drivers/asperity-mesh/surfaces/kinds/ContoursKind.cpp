@@ -45,7 +45,8 @@ TriangleSurface makeContours(ParameterList const& list, std::string const& path,
   if (list.get<bool>("Extend Up")) {
     options.upper_z = aboveGround(lowest, context);
   }
-  return contourSurface(std::move(contours), options, "Contours file '" + file + "'", context.tell);
+  return contourSurface(std::move(contours), options, "Contours file '" + file + "'",
+                        context.remark);
 }
 } // namespace
 

@@ -41,17 +41,17 @@ Teuchos::RCP<const ParameterList> gridEntries()
 // A file that says something else than the deck is as likely right as the deck.
 template <class Value>
 Value agreed(ParameterList const& list, std::string const& path, char const* name,
-             std::string const& where, bool file_tells, Value const& told, Value const& given)
+             std::string const& where, bool is_in_file, Value const& in_file, Value const& given)
 {
   const bool is_given = list.get<std::string>(name) != from_file;
-  ASPERITY_REQUIRE(is_given || file_tells, joinPath(path, name)
+  ASPERITY_REQUIRE(is_given || is_in_file, joinPath(path, name)
                                              << " is missing: " << where << " does not tell it.");
-  ASPERITY_REQUIRE(!is_given || !file_tells || given == told,
+  ASPERITY_REQUIRE(!is_given || !is_in_file || given == in_file,
                    joinPath(path, name)
                      << " = '" << list.get<std::string>(name) << "' contradicts " << where
                      << ", which tells it. Remove the entry, or correct the "
                         "file.");
-  return is_given ? given : told;
+  return is_given ? given : in_file;
 }
 
 TriangleSurface makeGrid(ParameterList const& list, std::string const& path,
@@ -73,7 +73,7 @@ TriangleSurface makeGrid(ParameterList const& list, std::string const& path,
   const Units units(unit, 1, path, context);
   const double step = list.get<double>("Step");
   if (!context.area) {
-    return welded(surfaceOf(data.grid, units, step), where, context.tell);
+    return welded(surfaceOf(data.grid, units, step), where, context.remark);
   }
   return groundOf(data.grid, units, *context.area, step,
                   list.get<std::string>("Outside") == "Clamp" ? Outside::clamp : Outside::refuse);

@@ -27,7 +27,7 @@ TriangleSurface makeSurfaceFile(ParameterList const& list, std::string const& pa
   // Points that are welded are equal in the file, so that units come later. The reader compares
   // its unit with that of the file.
   auto surface = readSurface(fileOf(list, surface_file, context), units.horizontal(),
-                             list.get<std::string>(part_name), context.tell);
+                             list.get<std::string>(part_name), context.remark);
   for (auto& point : surface.points) {
     for (double& x : point) {
       x /= units.horizontal();

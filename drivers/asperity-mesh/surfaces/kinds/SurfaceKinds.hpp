@@ -30,7 +30,7 @@ struct SurfaceContext
   double highest_ground = 0;
   // A grid is sampled in this area; without it, where it has values.
   std::optional<MapArea> area;
-  Tell tell = printRemark;
+  RemarkSink remark = printRemark;
 };
 
 // The kinds of surfaces that a deck has: each has entries of its own, which stand in the list of

@@ -97,14 +97,14 @@ std::uint64_t NetcdfClassic::listLength(std::uint32_t tag, char const* things)
   if (found != tag && (found != 0 || length != 0)) {
     file_.fail("the list of " + std::string(things) + " is expected: the header is damaged.");
   }
-  file_.requireRoom(length, 4, things);
+  file_.requireBytes(length, 4, things);
   return length;
 }
 
 std::string NetcdfClassic::name()
 {
   const auto length = count();
-  file_.requireRoom(length, 1, "characters of a name");
+  file_.requireBytes(length, 1, "characters of a name");
   std::string text(padded(length), '\0');
   file_.read(text.data(), text.size());
   text.resize(length);
@@ -128,7 +128,7 @@ std::map<std::string, NetcdfAttribute> NetcdfClassic::attributeList()
     auto& attribute = result[name()];
     const Type type = typeAt();
     const auto num_values = count();
-    file_.requireRoom(num_values, sizeOf(type), "values of an attribute");
+    file_.requireBytes(num_values, sizeOf(type), "values of an attribute");
     std::vector<char> bytes(padded(num_values * sizeOf(type)));
     file_.read(bytes.data(), bytes.size());
     if (type == Type::text) {
@@ -179,7 +179,7 @@ void NetcdfClassic::readVariable()
   NetcdfVariable variable;
   variable.name = name();
   const auto num_dimensions = count();
-  file_.requireRoom(num_dimensions, 4, "dimensions of a variable");
+  file_.requireBytes(num_dimensions, 4, "dimensions of a variable");
   Layout layout{Type::int8, 0, 1, false};
   for (std::uint64_t d = 0; d < num_dimensions; ++d) {
     const auto number = count();
@@ -234,9 +234,9 @@ std::vector<char> NetcdfClassic::bytesOf(std::string const& name, Layout const& 
     return {};
   }
   file_.seek(layout.begin);
-  file_.requireRoom(num_parts - 1, std::max<std::uint64_t>(record_size_, 1), "more records");
+  file_.requireBytes(num_parts - 1, std::max<std::uint64_t>(record_size_, 1), "more records");
   file_.seek(layout.begin + (num_parts - 1) * record_size_);
-  file_.requireRoom(size, 1, "bytes of variable '" + name + "'");
+  file_.requireBytes(size, 1, "bytes of variable '" + name + "'");
   std::vector<char> bytes(num_parts * size);
   for (std::uint64_t part = 0; part < num_parts; ++part) {
     file_.seek(layout.begin + part * record_size_);

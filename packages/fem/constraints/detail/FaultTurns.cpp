@@ -27,7 +27,7 @@ public:
     const auto from = set_[i], to = set_[j];
     std::replace(set_.begin(), set_.end(), from, to);
   }
-  std::size_t of(std::size_t i) const { return set_[i]; }
+  std::size_t setOf(std::size_t i) const { return set_[i]; }
 
 private:
   std::vector<std::size_t> set_;
@@ -112,7 +112,7 @@ void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
   for (std::size_t i = 0; i < names.size(); ++i) {
     Boundaries together;
     for (std::size_t j = 0; j < names.size(); ++j) {
-      if (sets.of(j) == sets.of(i)) {
+      if (sets.setOf(j) == sets.setOf(i)) {
         together.push_back(names[j]);
       }
     }

@@ -44,7 +44,7 @@ public:
   // The cells in sets that are connected across facets other than those cut.
   struct Sets
   {
-    std::vector<int> of_cell; // (cells().size()), the number of its set
+    std::vector<int> set_of_cell; // (cells().size()), the number of its set
     int count = 0;
   };
   Sets cut(std::function<bool(int fault_facet)> const& is_cut) const
@@ -64,10 +64,10 @@ public:
       }
     }
     Sets sets;
-    sets.of_cell.resize(cells_.size());
+    sets.set_of_cell.resize(cells_.size());
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       const int first = find(static_cast<int>(c)); // the first cell of the set, at most c
-      sets.of_cell[c] = first == static_cast<int>(c) ? sets.count++ : sets.of_cell[first];
+      sets.set_of_cell[c] = first == static_cast<int>(c) ? sets.count++ : sets.set_of_cell[first];
     }
     return sets;
   }

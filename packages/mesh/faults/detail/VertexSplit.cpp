@@ -98,7 +98,7 @@ private:
   {
     auto const& cells = star_.cells();
     const auto place = std::find(cells.begin(), cells.end(), cell) - cells.begin();
-    return sets.of_cell[static_cast<std::size_t>(place)];
+    return sets.set_of_cell[static_cast<std::size_t>(place)];
   }
 
   bool separates(Sets const& sets, int facet) const
@@ -147,7 +147,7 @@ private:
     split.is_cut = true;
     const int plus = plusSet(main, sets);
     for (std::size_t c = 0; c < star_.cells().size(); ++c) {
-      if (sets.of_cell[c] == plus) {
+      if (sets.set_of_cell[c] == plus) {
         split.plus_cells.push_back(star_.cells()[c]);
       }
     }

@@ -32,7 +32,7 @@ void writeCompletely(std::string const& file_name, std::vector<std::string> cons
   }
   std::error_code ignored;
   if (std::filesystem::remove(unfinished, ignored)) {
-    throw OutputError(where + " cannot be written. " + reason + ' ' + whetherFull());
+    throw OutputError(where + " cannot be written. " + reason + ' ' + diskFullHint());
   }
   throw InputError(where + " cannot be written. " + reason +
                    " Does the folder exist, may you write there, and is there space?");

@@ -11,7 +11,7 @@ namespace
 {
 // Calls read(); an error of HDF5 becomes an InputError with `message`.
 template <class Read>
-auto orRefuse(std::string const& message, Read const& read)
+auto asInputError(std::string const& message, Read const& read)
 {
   try {
     return read();
@@ -24,9 +24,10 @@ h5::File openFile(std::string const& file_name, std::string const& where)
 {
   std::error_code error;
   ASPERITY_REQUIRE(std::filesystem::exists(file_name, error), where << " does not exist.");
-  return orRefuse(where + " cannot be opened as an HDF5 file. It is truncated or of another kind, "
-                          "or you may not read it.",
-                  [&] { return h5::File::open(file_name); });
+  return asInputError(where +
+                        " cannot be opened as an HDF5 file. It is truncated or of another kind, "
+                        "or you may not read it.",
+                      [&] { return h5::File::open(file_name); });
 }
 } // namespace
 
@@ -54,7 +55,7 @@ int MeshFileReader::integerAttribute(std::string const& name) const
 {
   requireAttribute(name);
   const std::string message = where_ + ": the attribute '" + name + "' is not an integer.";
-  const auto value = orRefuse(message, [&] { return file_.integerAttribute(name); });
+  const auto value = asInputError(message, [&] { return file_.integerAttribute(name); });
   ASPERITY_REQUIRE(value >= std::numeric_limits<int>::min() &&
                      value <= std::numeric_limits<int>::max(),
                    where_ << ": the attribute '" << name << "' = " << value << " is too large.");
@@ -64,8 +65,8 @@ int MeshFileReader::integerAttribute(std::string const& name) const
 std::string MeshFileReader::stringAttribute(std::string const& name) const
 {
   requireAttribute(name);
-  return orRefuse(where_ + ": the attribute '" + name + "' is not a string.",
-                  [&] { return file_.textAttribute(name); });
+  return asInputError(where_ + ": the attribute '" + name + "' is not a string.",
+                      [&] { return file_.textAttribute(name); });
 }
 
 std::vector<double> MeshFileReader::numbersAttribute(std::string const& name,
@@ -73,28 +74,28 @@ std::vector<double> MeshFileReader::numbersAttribute(std::string const& name,
 {
   const std::string message = where_ + ": the attribute '" + name + "' does not consist of " +
                               std::to_string(count) + " numbers.";
-  auto values = orRefuse(message, [&] { return file_.numbersAttribute(name); });
+  auto values = asInputError(message, [&] { return file_.numbersAttribute(name); });
   ASPERITY_REQUIRE(values.size() == count, message);
   return values;
 }
 
 std::vector<std::string> MeshFileReader::groupEntries(std::string const& path) const
 {
-  return orRefuse(where_ + " has no group '" + path + "'.",
-                  [&] { return file_.openGroup(path).names(); });
+  return asInputError(where_ + " has no group '" + path + "'.",
+                      [&] { return file_.openGroup(path).names(); });
 }
 
 h5::Dataset MeshFileReader::open(std::string const& path) const
 {
   ASPERITY_REQUIRE(file_.has(path), where_ << " has no dataset '" << path << "'.");
-  return orRefuse(where_ + ": '" + path + "' is not a dataset.",
-                  [&] { return file_.openDataset(path); });
+  return asInputError(where_ + ": '" + path + "' is not a dataset.",
+                      [&] { return file_.openDataset(path); });
 }
 
 void MeshFileReader::refuseIfUnreadable(std::string const& path,
                                         std::function<void()> const& read) const
 {
-  orRefuse(where_ + ": dataset '" + path + "' cannot be read. The file may be damaged.", read);
+  asInputError(where_ + ": dataset '" + path + "' cannot be read. The file may be damaged.", read);
 }
 
 h5::Dataset MeshFileReader::datasetOf(std::string const& path, std::size_t columns,
@@ -137,7 +138,7 @@ std::vector<std::string> MeshFileReader::strings(std::string const& path) const
 {
   const std::string message = where_ + ": dataset '" + path + "' is not a list of strings.";
   const h5::Dataset dataset = open(path);
-  return orRefuse(message, [&] {
+  return asInputError(message, [&] {
     ASPERITY_REQUIRE(dataset.shape().size() == 1, message);
     return dataset.readTexts();
   });

@@ -75,9 +75,9 @@ friction::ParameterView valuesOnDevice(ParameterTable const& table, ParameterLis
 }
 
 template <class Value>
-std::optional<std::vector<Value>> ofNodes(std::function<Value(double const*)> const& function,
-                                          ParameterTable const& table, ParameterList const& list,
-                                          FieldNodes const& nodes)
+std::optional<std::vector<Value>>
+propertyAtNodes(std::function<Value(double const*)> const& function, ParameterTable const& table,
+                ParameterList const& list, FieldNodes const& nodes)
 {
   if (!function) {
     return std::nullopt;
@@ -143,7 +143,7 @@ void chooseLaws(ParameterList& friction, bool is_needed)
   }
 }
 
-bool LawChoice::bearsFriction() const { return friction != asperity::friction::NoFriction::name; }
+bool LawChoice::hasFrictionLaw() const { return friction != asperity::friction::NoFriction::name; }
 
 bool LawChoice::hasState() const
 {
@@ -199,38 +199,38 @@ std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList co
                                                                 FieldNodes const& nodes)
 {
   auto const& law = chosenFrictionLaw(list);
-  return ofNodes(law.sensitivity, law.parameters, list, nodes);
+  return propertyAtNodes(law.sensitivity, law.parameters, list, nodes);
 }
 
 std::optional<std::vector<double>> slipDistances(ParameterList const& list, FieldNodes const& nodes)
 {
   auto const& law = chosenStateLaw(list);
-  return ofNodes(law.slip_distance, law.parameters, list, nodes);
+  return propertyAtNodes(law.slip_distance, law.parameters, list, nodes);
 }
 
 std::optional<std::vector<double>> referenceFriction(ParameterList const& list,
                                                      FieldNodes const& nodes)
 {
   auto const& law = chosenFrictionLaw(list);
-  return ofNodes(law.reference_friction, law.parameters, list, nodes);
+  return propertyAtNodes(law.reference_friction, law.parameters, list, nodes);
 }
 
 std::optional<std::vector<double>> strengthDrops(ParameterList const& list, FieldNodes const& nodes)
 {
   auto const& law = chosenFrictionLaw(list);
-  return ofNodes(law.strength_drop, law.parameters, list, nodes);
+  return propertyAtNodes(law.strength_drop, law.parameters, list, nodes);
 }
 
 std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes)
 {
   auto const& law = chosenStateLaw(list);
-  return ofNodes(law.theta_scale, law.parameters, list, nodes);
+  return propertyAtNodes(law.theta_scale, law.parameters, list, nodes);
 }
 
 std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes const& nodes)
 {
   auto const& law = chosenStateLaw(list);
-  auto const c = ofNodes(law.stress_sensitivity, law.parameters, list, nodes);
+  auto const c = propertyAtNodes(law.stress_sensitivity, law.parameters, list, nodes);
   if (!c || std::all_of(c->begin(), c->end(), [](double value) { return value == 0; })) {
     return {};
   }

@@ -26,8 +26,8 @@ struct LawChoice
 
   static LawChoice from(ParameterList const& list);
 
-  bool bearsFriction() const; // the law is one of friction
-  bool hasState() const;      // and depends on a state
+  bool hasFrictionLaw() const; // the law is one of friction
+  bool hasState() const;       // and depends on a state
 };
 
 // Throws InputError if the friction law does not depend on the state of the state law, or not on

@@ -47,7 +47,7 @@ std::vector<mesh::NamedCondition<Dim>> conditionsIn(ParameterList const& mesh,
 
 // The result of read(), which reads the mesh file; its InputErrors get the path of the parameter.
 template <class Read>
-auto ofMeshFile(Read const& read)
+auto withMeshFileErrors(Read const& read)
 {
   try {
     return read();
@@ -167,7 +167,8 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   auto const where_faults = joinPath(mesh_path, "Faults");
   const bool is_file = settings.type == "File";
   auto const file_name = is_file ? fileNameOf(list) : std::string();
-  if (is_file && ofMeshFile([&] { return mesh::isPartitioned(file_name, *communicator); })) {
+  if (is_file &&
+      withMeshFileErrors([&] { return mesh::isPartitioned(file_name, *communicator); })) {
     ASPERITY_REQUIRE(!settings.flat_cells,
                      joinPath(mesh_path, flat_cells)
                        << " needs a whole mesh, but mesh file '" << file_name
@@ -176,13 +177,13 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
                      where_faults << " / " << faults.front().name << ": mesh file '" << file_name
                                   << "' is partitioned, and was split along its faults before. "
                                   << "Put the fault into the mesh and then partition it.");
-    auto part = ofMeshFile([&] { return mesh::readPart<Dim>(file_name, communicator); });
+    auto part = withMeshFileErrors([&] { return mesh::readPart<Dim>(file_name, communicator); });
     mesh::overrideRegions(part, regions, *communicator, where_regions);
     mesh::overrideBoundaries(part, boundaries, *communicator, where_boundaries);
     return part;
   }
   auto whole =
-    is_file ? ofMeshFile([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
+    is_file ? withMeshFileErrors([&] { return mesh::readMesh<Dim>(file_name, *communicator); })
             : generateMesh<Dim>(list.sublist(settings.type), settings.type, settings.most_vertices);
   mesh::overrideRegions(whole, regions, where_regions);
   mesh::overrideBoundaries(whole, boundaries, where_boundaries);
@@ -208,7 +209,7 @@ int meshDimension(ParameterList const& list, Communicator const& communicator)
   auto const type = settingsOf(list).type;
   if (type == "File") {
     auto const name = fileNameOf(list);
-    return ofMeshFile([&] { return mesh::fileDimension(name, communicator); });
+    return withMeshFileErrors([&] { return mesh::fileDimension(name, communicator); });
   }
   return type == "Box" || type == "Deep Wedge" ? 3 : 2;
 }

@@ -11,20 +11,21 @@ namespace asperity::friction::detail
 // Pa, with its derivatives with respect to log V, from d(log S) = r^2 d(log V) and
 // dr = r (1 - r^2) d(log V).
 template <class Curve>
-struct PrescribedBeside
+struct PartlyPrescribed
 {
   Curve curve;
-  double sigma_n;  // Pa
-  double cohesion; // Pa
-  double beside;   // p > 0, m/s
+  double sigma_n;         // Pa
+  double cohesion;        // Pa
+  double prescribed_rate; // p > 0, m/s
 
   KOKKOS_INLINE_FUNCTION Response response(double V) const
   {
-    const double parts[2] = {V, beside};
+    const double parts[2] = {V, prescribed_rate};
     const double S = length(parts);
     const auto response = curve.response(S);
     const double tau = sigma_n * response.mu + cohesion;
-    const double r = V / S, rr = r * r, across = (beside / S) * (beside / S); // 1 - r^2
+    const double r = V / S, rr = r * r,
+                 across = (prescribed_rate / S) * (prescribed_rate / S); // 1 - r^2
     const double first = sigma_n * response.first, second = sigma_n * response.second;
     return {r * tau, r * (rr * first + across * tau),
             r * (rr * rr * second + 4 * rr * across * first + across * (1 - 3 * rr) * tau)};

@@ -1,4 +1,4 @@
-#include "catalogue/receivers/OnFault.hpp"
+#include "catalogue/receivers/ReceiversOnFault.hpp"
 
 #include "base/Text.hpp"
 #include "catalogue/receivers/PointLocation.hpp"

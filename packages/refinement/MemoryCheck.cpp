@@ -1,4 +1,4 @@
-#include "refinement/Room.hpp"
+#include "refinement/MemoryCheck.hpp"
 
 #include "base/Errors.hpp"
 #include "base/parallel/Messages.hpp"
