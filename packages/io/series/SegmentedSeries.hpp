@@ -14,8 +14,8 @@
 
 namespace asperity::io
 {
-// Fields of one domain over time, in closed segments tied together by the index DIR/<name>.h5 and by
-// DIR/<name>.xdmf. README.md has the layout.
+// Fields of one domain over time, in closed segments tied together by the index DIR/<name>.h5 and
+// by DIR/<name>.xdmf. README.md has the layout.
 //
 // Rows are kept in memory, then written by rank 0. Until closeSegment they may be lost; closed
 // segments stay complete whatever happens. All functions are collective.

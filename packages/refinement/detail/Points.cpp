@@ -78,8 +78,8 @@ void Points<Dim>::number(Communicator const& communicator)
       ids_[num_coarse_ + e] = part_.num_global_vertices + before[v] + (e - edges_.begin(v));
     }
   }
-  // A question is a row of two global ids, the ends of an edge between ghosts; the answer is the id of
-  // its midpoint.
+  // A question is a row of two global ids, the ends of an edge between ghosts; the answer is the id
+  // of its midpoint.
   const int first_asked = num_coarse_ + edges_.begin(part_.num_owned);
   Rows questions;
   std::vector<int> destinations;
