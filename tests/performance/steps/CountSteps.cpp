@@ -128,8 +128,8 @@ int main(int argc, char** argv)
     auto const deck =
       asperity::scenario::readCompleteDeck(asperity::parseCommandLine(argc - 1, argv + 1));
     // 2. Make the steps.
-    asperity::scenario::Evolution<3> evolution(*deck, communicator);
-    evolution.start();
+    auto const problem = asperity::scenario::makeProblem<3>(*deck, communicator);
+    asperity::scenario::Evolution<3> evolution(problem, *deck, {});
     counts.clear();
     Kokkos::Tools::Experimental::set_push_region_callback(countRegion);
     Kokkos::Tools::Experimental::set_begin_parallel_for_callback(countKernel);

@@ -91,8 +91,8 @@ std::string run(int num_steps, ParameterList const& deck,
 {
   // 1. Steps before the trap, which set up what later ones share.
   watchViews();
-  scenario::Evolution<3> evolution(deck, communicator);
-  evolution.start();
+  auto const problem = scenario::makeProblem<3>(deck, communicator);
+  scenario::Evolution<3> evolution(problem, deck, {});
   for (int i = 0; i < num_steps - num_steps / 2; ++i) {
     makeStep(evolution);
   }
