@@ -8,7 +8,7 @@ namespace
 {
 using namespace asperity::multigrid;
 
-class TwoJacobiSweeps final : public SweepSmoother<Alone>
+class TwoJacobiSweeps final : public SweepSmoother<JacobiRows>
 {
 public:
   static constexpr char const* meaning = "two damped block Jacobi sweeps before and after.";
