@@ -325,7 +325,7 @@ void setSize(SizeAt const& size)
 #endif
 }
 
-// How far the volume is, from how often Gmsh has asked for a size there.
+// How far the volume is, from how many sizes Gmsh has requested there.
 class FillProgress
 {
 public:

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tnnmg/hierarchy/MueLuHierarchy.hpp"
 #include "tnnmg/correction/Preconditioner.hpp"
+#include "tnnmg/hierarchy/MueLuHierarchy.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

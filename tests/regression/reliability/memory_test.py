@@ -53,7 +53,7 @@ class Memory(unittest.TestCase):
         self.check("plane", PLANE, *((10000, 10000) if faults.is_long() else (600, 3000)))
 
     def test_in_three_dimensions(self):
-        self.check("space", SPACE, *((10000, 10000) if faults.is_long() else (150, 3000)))
+        self.check("space", SPACE, *((10000, 10000) if faults.is_long() else (600, 3000)))
 
 
 if __name__ == "__main__":

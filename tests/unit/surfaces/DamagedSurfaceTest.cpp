@@ -51,7 +51,7 @@ TEST_F(DamagedSurface, Off)
   expectRefused("a.off", begin + "3 0 1 3\n", {"line 6", "vertex 3", "[0, 3)"});
   expectRefused("b.off", begin, {"faces", "cut"});
   expectRefused("c.off", begin + "2 0 1\n", {"line 6", "at least 3"});
-  expectRefused("d.off", "OFF\n4000000000 4000000000 0\n", {"line 2", "4000000000", "room"});
+  expectRefused("d.off", "OFF\n4000000000 4000000000 0\n", {"line 2", "4000000000", "allows at most"});
   expectRefused("e.off", "OFF\n3 1 0\n0 0 inf\n", {"line 3", "'inf'"});
   expectRefused("f.off", "FOO\n", {"line 1", "'OFF'"});
   expectRefused("g.off", "OFF\n0 0 0\n", {"has no triangle"});
@@ -61,7 +61,7 @@ TEST_F(DamagedSurface, Off)
 TEST_F(DamagedSurface, Stl)
 {
   expectRefused("a.stl", std::string(80, ' ') + bytes<std::uint32_t>(4000000000u),
-                {"4000000000 triangles", "room for 0"});
+                {"4000000000 triangles", "allows at most 0"});
   expectRefused("b.stl", "short", {"cut"});
   expectRefused("c.stl",
                 std::string(80, ' ') + bytes<std::uint32_t>(1) + std::string(12, '\0') +
@@ -99,7 +99,7 @@ TEST_F(DamagedSurface, Ply)
   expectRefused("g.ply",
                 "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\n"
                 "property float x\nproperty float y\nproperty float z\nend_header\n",
-                {"4000000000", "'vertex'", "room for 0"});
+                {"4000000000", "'vertex'", "allows at most 0"});
   expectRefused("h.ply",
                 "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\n"
                 "property float y\nproperty float z\nend_header\n",

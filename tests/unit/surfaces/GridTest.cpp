@@ -167,7 +167,7 @@ TEST_F(GridFiles, ThatAreDamagedAreRefused)
   expectRefused("b.asc", header + "1 2 3\n4 5 z\n", {"line 7", "'z'"});
   expectRefused("c.asc", "ncols 4000000000\nnrows 4000000000\ncellsize 1\n1 2\n", {"ncols"});
   expectRefused("d.asc", "ncols 400000\nnrows 400000\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2\n",
-                {"room for fewer"});
+                {"is too small for"});
   expectRefused("e.asc", "1 2 3\n", {"no line 'ncols'"});
   expectRefused("f.asc", "ncols 3\nnrows 2\nyllcorner 0\ncellsize 10\n1 2 3 4 5 6\n",
                 {"no line 'xllcorner'"});
