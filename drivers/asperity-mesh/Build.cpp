@@ -57,12 +57,9 @@ BuildSettings settingsOf(Files const& files, asperity::geometry::ShortOptions co
 {
   auto deck = files.deck.empty() ? Teuchos::rcp(new asperity::ParameterList("Asperity"))
                                  : asperity::readDeck(files.deck);
-  applyOptions(options, *deck);
-  // Files named by options are relative to where the program runs.
-  const bool is_short = !options.faults.empty() || !options.ground.empty();
-  const auto folder =
-    is_short ? std::string() : std::filesystem::path(files.deck).parent_path().string();
-  return asperity::geometry::readBuildSettings(*deck, folder);
+  const auto folder = std::filesystem::path(files.deck).parent_path();
+  applyOptions(options, *deck, folder);
+  return asperity::geometry::readBuildSettings(*deck, folder.string());
 }
 
 void requireTolerance(asperity::GlobalMesh<3> const& mesh, BuildSettings const& settings)
@@ -111,7 +108,8 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
   for (auto const& surface : settings.model.surfaces) {
     triangles += static_cast<int>(surface.surface.triangles.size());
   }
-  reportProgress("read " + std::to_string(settings.model.num_faults) + " faults; " +
+  reportProgress("read " + std::to_string(settings.model.num_faults) +
+                 (settings.model.num_faults == 1 ? " fault; " : " faults; ") +
                  std::to_string(triangles) + " triangles with ground and walls");
   for (auto const& remark : settings.remarks) {
     std::cout << remark << '\n';

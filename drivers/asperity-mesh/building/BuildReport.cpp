@@ -47,7 +47,7 @@ void reportDropped(Arranged const& arranged, std::ostream& out)
   };
   constexpr char const* reasons[] = {"outside the box or above the ground",
                                      "across another surface after a border was moved there",
-                                     "stubs"};
+                                     "with a free end behind another surface (stubs)"};
   std::map<std::pair<std::string, int>, Sum> sums;
   for (auto const& piece : arranged.dropped) {
     if (!piece.is_fault) {

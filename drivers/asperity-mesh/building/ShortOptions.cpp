@@ -3,6 +3,7 @@
 #include "building/BuildParameters.hpp"
 #include "surfaces/SurfaceFile.hpp"
 #include "surfaces/grids/GridFile.hpp"
+#include "surfaces/kinds/SurfaceKind.hpp"
 
 #include "base/Text.hpp"
 #include "parameters/Deck.hpp"
@@ -43,8 +44,9 @@ std::string withoutUnit(std::string const& text)
   return text;
 }
 
-// The entry of a list that names the file, by its extension and the other keys.
-std::string sourceName(std::string const& file, std::vector<std::string> const& keys)
+// The entry of a list that names the file, by its extension and the other entries: a trace has some
+// that contours do not have.
+std::string sourceName(std::string const& file, std::vector<std::string> const& entries)
 {
   if (isSurfaceFile(file)) {
     return "Surface File";
@@ -52,7 +54,11 @@ std::string sourceName(std::string const& file, std::vector<std::string> const& 
   if (isGridFile(file)) {
     return "Grid File";
   }
-  return std::count(keys.begin(), keys.end(), "dip") > 0 ? "Trace File" : "Contours File";
+  auto const of_trace = traceKind().entries(), of_contours = contoursKind().entries();
+  const bool is_trace = std::any_of(entries.begin(), entries.end(), [&](std::string const& entry) {
+    return of_trace->isParameter(entry) && !of_contours->isParameter(entry);
+  });
+  return is_trace ? "Trace File" : "Contours File";
 }
 
 // FILE[,KEY=VALUE]...; a piece without = belongs to the value before it: min(1, 2).
@@ -80,18 +86,21 @@ public:
     ASPERITY_REQUIRE(!file_.empty(), option << ' ' << text << ": the name of a file is missing.");
   }
 
-  // "path/Entry=value" for each.
-  std::vector<std::string> assignments(std::string const& path, std::string const& units) const
+  // "path/Entry=value" for each. The deck's files are relative to `folder`, those of options to
+  // where the program runs.
+  std::vector<std::string> assignments(std::string const& path, std::string const& units,
+                                       std::filesystem::path const& folder) const
   {
-    std::vector<std::string> keys, result;
+    std::vector<std::string> entries, result;
     for (auto const& [key, value] : entries_) {
-      keys.push_back(key);
+      entries.push_back(parameterName(key));
     }
-    result.push_back(path + "/" + sourceName(file_, keys) + "=" + file_);
-    for (auto const& [key, value] : entries_) {
-      result.push_back(path + "/" + parameterName(key) + "=" + withoutUnit(value));
+    auto const file = folder.empty() ? file_ : std::filesystem::proximate(file_, folder).string();
+    result.push_back(path + "/" + sourceName(file_, entries) + "=" + file);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      result.push_back(path + "/" + entries[i] + "=" + withoutUnit(entries_[i].second));
     }
-    if (!units.empty() && std::count(keys.begin(), keys.end(), "units") == 0) {
+    if (!units.empty() && std::count(entries.begin(), entries.end(), "Units") == 0) {
       result.push_back(path + "/Units=" + units);
     }
     return result;
@@ -128,7 +137,8 @@ void assign(ParameterList& deck, std::string const& assignment)
 }
 } // namespace
 
-void applyOptions(ShortOptions const& options, ParameterList& deck)
+void applyOptions(ShortOptions const& options, ParameterList& deck,
+                  std::filesystem::path const& folder)
 {
   for (auto const& fault : options.faults) {
     const auto equals = fault.find('=');
@@ -138,13 +148,13 @@ void applyOptions(ShortOptions const& options, ParameterList& deck)
     ASPERITY_REQUIRE(name.find('/') == std::string::npos,
                      "Option --fault " << fault << ": a name has no '/'.");
     const SurfaceText text(fault.substr(equals + 1), "Option --fault");
-    for (auto const& assignment : text.assignments("Faults/" + name, options.units)) {
+    for (auto const& assignment : text.assignments("Faults/" + name, options.units, folder)) {
       assign(deck, assignment);
     }
   }
   if (!options.ground.empty()) {
     const SurfaceText text(options.ground, "Option --ground");
-    for (auto const& assignment : text.assignments("Ground", options.units)) {
+    for (auto const& assignment : text.assignments("Ground", options.units, folder)) {
       assign(deck, assignment);
     }
   }

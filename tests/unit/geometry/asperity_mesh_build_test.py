@@ -5,6 +5,7 @@ Arguments: asperity-mesh and asperity.
 
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import unittest
@@ -185,6 +186,34 @@ class Build(unittest.TestCase):
         times = re.compile(r"^ *[0-9.]+ s ", re.MULTILINE)
         self.assertEqual(times.sub("", result.stdout), times.sub("", by_deck))
         self.assertFalse(list(pathlib.Path(".").glob("*.h5")))
+
+    def test_files_of_a_deck_in_another_folder(self):
+        """They are relative to the deck, those of options to where the program runs."""
+        pathlib.Path("model.xml").write_text(DECK, encoding="utf-8")
+        expected = run(MESH, "build", "model.xml", "--dry").stdout
+        folder = pathlib.Path("deck")
+        folder.mkdir(exist_ok=True)
+        only_main = re.sub(r'    <ParameterList name="branch">.*?</ParameterList>\n', "", DECK,
+                           flags=re.DOTALL)
+        self.assertNotIn("branch", only_main)
+        (folder / "model.xml").write_text(only_main, encoding="utf-8")
+        shutil.copy("main.off", folder / "main.off")
+        result = run(MESH, "build", "deck/model.xml", "--dry", "--fault",
+                     "branch=branch.off,size=3000,units=km")
+        shutil.rmtree(folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+        times = re.compile(r"^ *[0-9.]+ s ", re.MULTILINE)
+        self.assertEqual(times.sub("", result.stdout), times.sub("", expected))
+
+    def test_entries_of_a_trace_alone_say_that_it_is_one(self):
+        pathlib.Path("dips.txt").write_text("0 0 90\n0 10 90\n", encoding="utf-8")
+        pathlib.Path("line.txt").write_text("0 0\n0 10\n", encoding="utf-8")
+        for fault in ("dips.txt,trace-columns=x y dip,depth=12km",
+                      "line.txt,dip=90,depth=12km,upper-depth=0"):
+            result = run(MESH, "build", "--dry", "--fault", f"t={fault}", "--units", "km",
+                         *OPTIONS)
+            self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
+            self.assertRegex(result.stdout, r"fault 't': 120 km\^2")
 
     def test_vertical_axis(self):
         # The fault has x from 0 to 6 km, y to the north from 0.02 to 6.02 km. In the mesh y is up
