@@ -19,8 +19,8 @@ struct ShortOptions
 };
 
 // Adds to a deck, or replaces in it, what the options say. A key is the name of a parameter in
-// small letters with - for blanks; a length may have its unit, as 500m or 20km. folder: of the deck,
-// to which its files are relative; files of options are relative to where the program runs.
+// small letters with - for blanks; a length may have its unit, as 500m or 20km. folder: that of the
+// deck, to which its files are relative; files of options are relative to where the program runs.
 // InputError for what has not the form.
 void applyOptions(ShortOptions const& options, ParameterList& deck,
                   std::filesystem::path const& folder);

@@ -51,7 +51,8 @@ TEST_F(DamagedSurface, Off)
   expectRefused("a.off", begin + "3 0 1 3\n", {"line 6", "vertex 3", "[0, 3)"});
   expectRefused("b.off", begin, {"faces", "cut"});
   expectRefused("c.off", begin + "2 0 1\n", {"line 6", "at least 3"});
-  expectRefused("d.off", "OFF\n4000000000 4000000000 0\n", {"line 2", "4000000000", "allows at most"});
+  expectRefused("d.off", "OFF\n4000000000 4000000000 0\n",
+                {"line 2", "4000000000", "allows at most"});
   expectRefused("e.off", "OFF\n3 1 0\n0 0 inf\n", {"line 3", "'inf'"});
   expectRefused("f.off", "FOO\n", {"line 1", "'OFF'"});
   expectRefused("g.off", "OFF\n0 0 0\n", {"has no triangle"});
