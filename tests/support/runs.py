@@ -23,7 +23,7 @@ RUN = [DECK, *settings("Time Stepping/Final Time=8", "Output/Checkpoint Every n 
 # Some 40 steps.
 SHORT_RUN = [DECK, *settings(
     "Time Stepping/Final Time=2", "Time Stepping/Step Doubling/Tolerance=1e-3",
-    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu",
+    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=Multigrid",
     "Output/Checkpoint Every n Steps=10")]
 # Some 15,000 steps: longer than any test waits.
 ENDLESS = [DECK, *settings("Time Stepping/Final Time=600", "Output/Checkpoint Every n Steps=20")]

@@ -69,7 +69,7 @@ RCP<Vector> StaticSolver::solve(Vector const& load)
     message << "The static problem was not solved: conjugate gradients stopped after "
             << result.iterations
             << " iterations. Check that the boundary conditions hold the body, "
-            << "and raise the iteration limit in TNNMG / MueLu Correction.";
+            << "and raise the iteration limit in TNNMG / Multigrid.";
     throw SolveError(message.str());
   }
   return u;

@@ -148,7 +148,7 @@ void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Descr
     (laws.hasFrictionLaw() ? laws.friction + " friction, state evolution: " + laws.state
                            : std::string("No friction")) +
     ". Time stepping: " + time.scheme + ", " + time.control + ". Linear correction: " +
-    (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "MueLu."));
+    (problem.solver.correction == dynamics::Correction::direct ? "Direct." : "Multigrid."));
   if (!problem.discretisation.boundary.given_slip.empty()) {
     lines.push_back(
       "The slip rate is prescribed on " + quotedNames(problem.discretisation.boundary.given_slip) +

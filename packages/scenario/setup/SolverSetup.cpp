@@ -34,12 +34,13 @@ Entries<SolverSettings> solverEntries(ParameterList& list)
   using S = SolverSettings;
   Entries<S> entries({}, list);
   entries
-    .choice("Linear Correction", &S::correction,
-            {{"Auto", Choice::automatic}, {"Direct", Choice::direct}, {"MueLu", Choice::multigrid}},
-            "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
-            "of Z is made once for each step size and leaves a Schur complement on the fault; it "
-            "works on one rank. MueLu: algebraic multigrid is used. Auto: this is Direct for small "
-            "problems on one rank, and MueLu otherwise.")
+    .choice(
+      "Linear Correction", &S::correction,
+      {{"Auto", Choice::automatic}, {"Direct", Choice::direct}, {"Multigrid", Choice::multigrid}},
+      "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
+      "of Z is made once for each step size and leaves a Schur complement on the fault; it "
+      "works on one rank. Multigrid: algebraic multigrid is used. Auto: this is Direct for small "
+      "problems on one rank, and Multigrid otherwise.")
     .choice("Static Condensation", &S::may_condense, {{"Auto", true}, {"Off", false}},
             "Auto: with the direct correction, a quasi-dynamic body without gravity, tractions on "
             "boundaries, viscosity or relaxation, whose boundaries move at constant velocities, is "
@@ -49,7 +50,7 @@ Entries<SolverSettings> solverEntries(ParameterList& list)
           "Each rank keeps solvers of different step sizes up to this amount of memory. The least "
           "recently used ones are removed first.")
     .others()
-    .sublist("MueLu Correction", tnnmg::MultigridCorrection::validParameters(),
+    .sublist("Multigrid", tnnmg::MultigridCorrection::validParameters(),
              "This list controls the linear correction by algebraic multigrid.");
   return entries;
 }
@@ -76,14 +77,14 @@ dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int n
   auto const choice = settingsOf(list).correction;
   ASPERITY_REQUIRE(choice != Choice::direct || num_ranks == 1,
                    "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
-                     << num_ranks << ". Choose MueLu or Auto.");
-  tnnmg::MultigridCorrection::requireAccepted(list.sublist("MueLu Correction"));
+                     << num_ranks << ". Choose Multigrid or Auto.");
+  tnnmg::MultigridCorrection::requireAccepted(list.sublist("Multigrid"));
   dynamics::RateSolverSettings settings;
   settings.tnnmg = tnnmg::TnnmgSettings::entries().read(list, tnnmg_path);
   const bool direct = choice == Choice::direct || (choice == Choice::automatic && num_ranks == 1 &&
                                                    num_unknowns <= largestDirect(dimension));
   settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
-  settings.multigrid = list.sublist("MueLu Correction");
+  settings.multigrid = list.sublist("Multigrid");
   return settings;
 }
 
@@ -96,7 +97,7 @@ std::string hintOnDirect(ParameterList const& list, int dimension, long long num
          "of the time with " +
          std::to_string(num_unknowns) + " unknowns in " + std::to_string(dimension) +
          " dimensions: see 'set-up of step sizes' in the table at the end. Auto would choose "
-         "MueLu here; compare the two over some steps.";
+         "Multigrid here; compare the two over some steps.";
 }
 
 std::size_t memoryBudget(ParameterList const& list)

@@ -69,7 +69,7 @@ struct MultigridCorrection::Implementation
       , A(rcp(new detail::MultigridOperator(problem.Z, nodes)))
       , residual(problem.Z->getRowMap())
   {
-    if (parameters.cycle == Parameters::CycleKind::own) {
+    if (parameters.cycle == Parameters::CycleKind::asperity) {
       own_preconditioner = rcp(
         new detail::OwnPreconditioner(hierarchy, weights, problem.Z, nodes, parameters.smoother));
       preconditioner = own_preconditioner;

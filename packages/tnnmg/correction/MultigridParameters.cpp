@@ -18,18 +18,18 @@ bool isAboutCycle(std::string const& name)
 }
 
 // Throws InputError where an entry would change what is decided elsewhere.
-void check(ParameterList const& muelu, bool is_own_cycle)
+void check(ParameterList const& muelu, bool is_our_cycle)
 {
   for (auto const& entry : muelu) {
     auto const& name = entry.first;
-    const std::string path = "Asperity / TNNMG / MueLu Correction / MueLu / " + name;
+    const std::string path = "Asperity / TNNMG / Multigrid / MueLu / " + name;
     ASPERITY_REQUIRE(name != "repartition: enable" && name != "reuse: type" &&
                        name != "number of equations",
                      path << " cannot be chosen: Asperity sets it. Remove it.");
-    ASPERITY_REQUIRE(!is_own_cycle || !isAboutCycle(name),
+    ASPERITY_REQUIRE(!is_our_cycle || !isAboutCycle(name),
                      path << " cannot be chosen: of MueLu only the prolongators are used, and the "
                           << "V-cycle has smoothers and a coarse solver of its own. Remove it, or "
-                          << "set 'MueLu Correction / Cycle' = MueLu.");
+                          << "set 'Multigrid / Cycle' = MueLu.");
   }
 }
 
@@ -91,8 +91,9 @@ Entries<MultigridParameters> multigridEntries()
             {{"CG", P::Method::conjugate_gradients}, {"V-Cycles", P::Method::v_cycles}},
             "Selects how the correction is solved. CG: conjugate gradients use a V-cycle as "
             "preconditioner. V-Cycles: a few V-cycles are made, each with an optimal step length.")
-    .choice("Cycle", &P::cycle, {{"Own", P::CycleKind::own}, {"MueLu", P::CycleKind::muelu}},
-            "Selects whose V-cycle it is. Own: Asperity's, in single precision. MueLu: that of "
+    .choice("Cycle", &P::cycle,
+            {{"Asperity", P::CycleKind::asperity}, {"MueLu", P::CycleKind::muelu}},
+            "Selects whose V-cycle it is. Asperity: ours, in single precision. MueLu: that of "
             "Trilinos on the same prolongators, in double precision, with the smoothers and the "
             "coarse solver of the list MueLu; a reference, which costs more.")
     .choice("Smoother", &P::smoother, registered.words,
@@ -142,17 +143,17 @@ MultigridParameters MultigridParameters::from(ParameterList const& given, int co
   ParameterList list(given);
   completeAndValidate(list, *valid(), given.name());
   auto result = multigridEntries().read(list, given.name());
-  const bool is_own = result.cycle == CycleKind::own;
-  ASPERITY_REQUIRE(is_own || result.smoother == MultigridParameters().smoother,
+  const bool is_ours = result.cycle == CycleKind::asperity;
+  ASPERITY_REQUIRE(is_ours || result.smoother == MultigridParameters().smoother,
                    joinPath(given.name(), "Smoother")
                      << " = " << result.smoother
                      << " has no effect with 'Cycle' = MueLu. Remove it, and choose a smoother of "
                         "Trilinos by 'smoother: type' in the list MueLu.");
   auto const& muelu = list.sublist("MueLu");
-  check(muelu, is_own);
+  check(muelu, is_ours);
   result.aggregation.muelu = forAggregation(muelu, components);
-  result.aggregation.keeps_prolongators = !is_own;
-  if (!is_own) {
+  result.aggregation.keeps_prolongators = !is_ours;
+  if (!is_ours) {
     result.muelu_cycle = forCycle(muelu, components);
   }
   result.belos = list.sublist("Belos");

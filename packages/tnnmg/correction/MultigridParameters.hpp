@@ -20,11 +20,11 @@ struct MultigridParameters
   };
   enum class CycleKind
   {
-    own,
+    asperity,
     muelu
   };
-  CycleKind cycle = CycleKind::own;
-  std::string smoother = multigrid::Cycle::usual_smoother; // of the own cycle
+  CycleKind cycle = CycleKind::asperity;
+  std::string smoother = multigrid::Cycle::usual_smoother; // of our cycle
   Method method = Method::conjugate_gradients;
   int max_iterations = 200;
   int v_cycles = 1;

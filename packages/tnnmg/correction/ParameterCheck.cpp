@@ -95,7 +95,7 @@ void MultigridCorrection::requireAccepted(Teuchos::ParameterList const& paramete
   } catch (std::bad_alloc const&) {
     throw;
   } catch (std::exception const& error) {
-    throw InputError("Asperity / TNNMG / MueLu Correction: a small problem was not solved with "
+    throw InputError("Asperity / TNNMG / Multigrid: a small problem was not solved with "
                      "the lists MueLu and Belos of the deck. " +
                      detail::usefulPart(error.what()) + " Correct the lists or leave them out.");
   }

@@ -180,7 +180,7 @@ multigrid::CoarsestRows coarsestRows(NodeMaps const& maps)
     throw SolveError("Multigrid: the coarsest level has " + std::to_string(n) + " rows on " +
                      std::to_string(communicator->getSize()) + " ranks, and at most " +
                      std::to_string(multigrid::CoarsestRows::most) +
-                     " can be factorised. Set TNNMG / MueLu Correction / Rows per Rank to its "
+                     " can be factorised. Set TNNMG / Multigrid / Rows per Rank to its "
                      "default, or use fewer ranks.");
   }
   multigrid::CoarsestRows result;

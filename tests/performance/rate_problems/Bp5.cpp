@@ -12,7 +12,7 @@ RCP<ParameterList> bp5(int cell_size, std::vector<std::string> overrides)
   CommandLine line;
   line.deck = ASPERITY_DECKS "/bp5_qd.xml";
   line.overrides = std::move(overrides);
-  line.overrides.push_back("TNNMG/Linear Correction=MueLu");
+  line.overrides.push_back("TNNMG/Linear Correction=Multigrid");
   line.overrides.push_back("Mesh/Box/Cell Size Factor=" + std::to_string(cell_size));
   return scenario::readCompleteDeck(line);
 }

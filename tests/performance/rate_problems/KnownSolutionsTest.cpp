@@ -94,7 +94,7 @@ Solved solve(scenario::Problem<3> const& problem, Phase phase, CrsMatrix const& 
 std::vector<Solved> solveAll(int cell_size, std::string const& correction_tolerance,
                              RCP<const Communicator> const& communicator)
 {
-  auto const deck = bp5(cell_size, {"TNNMG/MueLu Correction/Hierarchy=Rebuild",
+  auto const deck = bp5(cell_size, {"TNNMG/Multigrid/Hierarchy=Rebuild",
                                     "TNNMG/Correction Tolerance=" + correction_tolerance});
   auto const problem = scenario::makeProblem<3>(*deck, communicator);
   auto const update = scenario::makeRateUpdate(deck->sublist("Time Stepping"), false);

@@ -34,7 +34,7 @@ class Steps(unittest.TestCase):
 
     def test_in_space(self):
         numbers = self.check("bp5_qd.xml", "--set", "Mesh/Box/Cell Size Factor=8", "--set",
-                             "TNNMG/Linear Correction=MueLu")
+                             "TNNMG/Linear Correction=Multigrid")
         self.assertGreater(numbers["v_cycles"], 0)
 
     def test_in_the_plane(self):

@@ -16,7 +16,7 @@ DECKS = asperity_run.SOURCE / "xml"
 def counts(deck, steps, ranks=1):
     words = [] if ranks == 1 else [*asperity_run.MPIEXEC, str(ranks)]
     words += [PROGRAM, str(steps), str(DECKS / deck), "--set", "Mesh/Box/Cell Size Factor=2",
-              "--set", "TNNMG/Linear Correction=MueLu"]
+              "--set", "TNNMG/Linear Correction=Multigrid"]
     result = subprocess.run(words, capture_output=True, text=True,
                             timeout=time_limits.seconds(600), check=False)
     if result.returncode != 0:

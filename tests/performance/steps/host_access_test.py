@@ -34,7 +34,7 @@ def accesses(deck, steps, *changes, ranks=1):
     """What host-access prints of the deck, for each rank."""
     words = [] if ranks == 1 else [*asperity_run.MPIEXEC, str(ranks)]
     words += [PROGRAM, str(steps), str(DECKS / deck),
-              *asperity_run.settings("TNNMG/Linear Correction=MueLu", *changes)]
+              *asperity_run.settings("TNNMG/Linear Correction=Multigrid", *changes)]
     result = subprocess.run(words, capture_output=True, text=True, env=ENVIRONMENT,
                             timeout=time_limits.seconds(600), check=False)
     if result.returncode != 0:

@@ -12,7 +12,7 @@ class Steps(unittest.TestCase):
     def setUpClass(cls):
         folder = asperity_run.run_to_end(
             "steps", DECK, "--set", "Mesh/Box/Cell Size Factor=2",
-            "--set", "TNNMG/Linear Correction=MueLu", "--set", "Time Stepping/Final Time=60")
+            "--set", "TNNMG/Linear Correction=Multigrid", "--set", "Time Stepping/Final Time=60")
         cls.rows = asperity_run.table(folder / "steps.csv")
 
     def total(self, name):

@@ -39,7 +39,7 @@ class Decks(unittest.TestCase):
         self.assertEqual(coarse.returncode, 0)
         self.assertIn("WARNING: The cohesive zone has fewer than 3 cells", coarse.stdout)
         ranks = asperity_run.run(wedge, "--validate", "--set",
-                                 "TNNMG/Linear Correction=MueLu", ranks=2)
+                                 "TNNMG/Linear Correction=Multigrid", ranks=2)
         self.assertIn("multigrid usually takes", ranks.stdout)
         mesh = [line.split(";")[0] for text in (result.stdout, ranks.stdout)
                 for line in text.splitlines() if line.startswith("Mesh: ")]
@@ -62,7 +62,7 @@ class PrintedParameters(unittest.TestCase):
     def test_as_text(self):
         text = self.print_parameters()
         for name in ("Largest Step", "Reference Slip Rate", "Poisson's Ratio", "Event Catalogue",
-                     "Linear Correction", "Seismogenic Zone Width", "MueLu Correction"):
+                     "Linear Correction", "Seismogenic Zone Width", "Multigrid"):
             self.assertIn(name, text)
         self.assertIn("(0, inf)", text)
         for law in ("Law = Regularised", "Law = Truncated", "State Evolution = Ageing",

@@ -198,8 +198,8 @@ class Run(unittest.TestCase):
             for ranks in (1, 2):
                 folder = asperity_run.run_to_end(
                     f"smoother_{name.split()[0]}_{ranks}", DECK, "--plugin", PLUGIN,
-                    *runs.settings({"TNNMG/Linear Correction": "MueLu",
-                                    "TNNMG/MueLu Correction/Smoother": name,
+                    *runs.settings({"TNNMG/Linear Correction": "Multigrid",
+                                    "TNNMG/Multigrid/Smoother": name,
                                     "Mesh/Refinements": 3}), ranks=ranks)
                 last = asperity_run.table(folder / "mean_slip.csv")[-1]
                 self.assertAlmostEqual(last["mean_slip"], exact_slip(END),

@@ -72,7 +72,7 @@ class TinyWedge(unittest.TestCase):
     def run_deck(name, ranks, mesh):
         folder = asperity_run.run_to_end(
             name, TINY / "tiny_wedge.xml",
-            *settings(f"Mesh/File/File Name={mesh}", REFINED, "TNNMG/Linear Correction=MueLu"),
+            *settings(f"Mesh/File/File Name={mesh}", REFINED, "TNNMG/Linear Correction=Multigrid"),
             ranks=ranks)
         return asperity_run.series(folder / "volume.h5")
 

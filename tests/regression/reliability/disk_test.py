@@ -153,7 +153,7 @@ class VanishedDirectory(unittest.TestCase):
 
     def test_is_named_on_two_ranks(self):
         self.check(2, [*runs.ENDLESS, *runs.settings("Mesh/Wedge/Cell Size=0.02",
-                                                     "TNNMG/Linear Correction=MueLu")])
+                                                     "TNNMG/Linear Correction=Multigrid")])
 
 
 if __name__ == "__main__":

@@ -35,7 +35,7 @@ class LostNumber(unittest.TestCase):
         result = asperity_run.run(
             write_deck(), "--plugin", os.environ["ASPERITY_FRAGILE_LAW"], *runs.settings(
                 "Mesh/Wedge/Cell Size=0.02", "Time Stepping/Final Time=4",
-                "Time Stepping/Smallest Step=1e-3", "TNNMG/Linear Correction=MueLu",
+                "Time Stepping/Smallest Step=1e-3", "TNNMG/Linear Correction=Multigrid",
                 "Output/Checkpoint Every n Steps=1000"), "--output", folder, ranks=ranks)
         message = runs.assert_one_message(self, result, runs.SOLVE, "alpha ", "nan", "t = ",
                                           "Step ")

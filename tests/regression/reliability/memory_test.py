@@ -14,7 +14,7 @@ PLANE = [runs.DECK, *FREQUENT, *runs.settings("Mesh/Wedge/Cell Size=0.02",
 SPACE = [*PLANE, "--overlay",
          asperity_run.SOURCE / "tests" / "regression" / "solid" / "glass_wedge.xml",
          *runs.settings("Mesh/Deep Wedge/Cell Size=0.08", "Time Stepping/Final Time=1e5",
-                        "TNNMG/Linear Correction=MueLu")]
+                        "TNNMG/Linear Correction=Multigrid")]
 
 
 def resident(process):

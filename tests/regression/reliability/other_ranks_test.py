@@ -11,13 +11,13 @@ PARALLEL = runs.DECK.parent
 SOLID = asperity_run.SOURCE / "tests" / "regression" / "solid"
 # Steps are prescribed, so that everything must agree to the solver's tolerance.
 PLANE = [runs.DECK, "--overlay", PARALLEL / "rupture.xml",
-         *runs.settings("TNNMG/Linear Correction=MueLu", "Output/Checkpoint Every n Steps=5",
+         *runs.settings("TNNMG/Linear Correction=Multigrid", "Output/Checkpoint Every n Steps=5",
                         "Output/Event Catalogue/Threshold=1e-4")]
 SPACE = [*PLANE, "--overlay", SOLID / "glass_wedge.xml",
          *runs.settings("Mesh/Deep Wedge/Cell Size=0.05")]
 ADAPTIVE = [runs.DECK, *runs.settings(
     "Time Stepping/Final Time=5", "Time Stepping/Step Doubling/Tolerance=1e-3",
-    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=MueLu")]
+    "Mesh/Wedge/Cell Size=0.02", "TNNMG/Linear Correction=Multigrid")]
 FREQUENT = runs.settings("Output/Checkpoint Every n Steps=10")
 FAULTS = [asperity_run.SOURCE / "xml" / "tpv101_two_sided.xml", *runs.settings(
     "Mesh/Rectangle/Cell Size Factor=8")]

@@ -61,7 +61,7 @@ class LostNumbers(unittest.TestCase):
     def run_with(self, ranks, *changes):
         folder = runs.fresh("lost")
         result = asperity_run.run(*COARSE, *runs.settings(
-            "TNNMG/Linear Correction=MueLu", *changes), "--output", folder, ranks=ranks)
+            "TNNMG/Linear Correction=Multigrid", *changes), "--output", folder, ranks=ranks)
         return folder, result
 
     def test_loads_that_are_no_numbers(self):

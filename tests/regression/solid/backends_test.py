@@ -14,9 +14,9 @@ import runs
 import wedge_runs
 from comparisons import largest_errors
 
-CORRECTION = "TNNMG/MueLu Correction"
+CORRECTION = "TNNMG/Multigrid"
 RUN = [*wedge_runs.RUPTURE, *wedge_runs.PERIODIC,
-       *wedge_runs.settings("Time Stepping/Final Time=0.03", "TNNMG/Linear Correction=MueLu")]
+       *wedge_runs.settings("Time Stepping/Final Time=0.03", "TNNMG/Linear Correction=Multigrid")]
 
 
 def run(name, parameters, ranks=1):

@@ -21,7 +21,7 @@ class PrescribedSteps(unittest.TestCase):
         return wedge_runs.run_deck(
             f"rupture_{ranks}", *wedge_runs.RUPTURE, *wedge_runs.GLASS,
             *wedge_runs.settings("Time Stepping/Final Time=0.016",
-                                 "TNNMG/Linear Correction=MueLu"), ranks=ranks)
+                                 "TNNMG/Linear Correction=Multigrid"), ranks=ranks)
 
     def test_slips_along_both_tangents(self):
         fault = asperity_run.series(self.reference / "fault.h5")

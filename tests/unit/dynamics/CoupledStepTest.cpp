@@ -96,7 +96,7 @@ TEST_P(CoupledStepSchemes, AgreeWithNewtonOnDenseMatrices)
   for (int components : {1, 2}) {
     for (auto correction : {Correction::direct, Correction::multigrid}) {
       SCOPED_TRACE(::testing::Message() << components << " components, "
-                                        << (correction == Correction::direct ? "direct" : "MueLu"));
+                                        << (correction == Correction::direct ? "direct" : "multigrid"));
       compare(slidingBlock(components), correction);
     }
   }

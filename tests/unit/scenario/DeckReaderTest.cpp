@@ -291,7 +291,7 @@ TEST(DeckReader, FingerprintsWhatARestartMustNotChange)
   EXPECT_EQ(io::difference(standard, of({"Time Stepping/Final Time=20"})), "");
   EXPECT_EQ(io::difference(standard, of({"Output/Checkpoint Every n Steps=3"})), "");
   EXPECT_EQ(io::difference(standard, of({"Output/Fault History/Enabled=false"})), "");
-  EXPECT_EQ(io::difference(standard, of({"TNNMG/MueLu Correction/Method=V-Cycles"})), "");
+  EXPECT_EQ(io::difference(standard, of({"TNNMG/Multigrid/Method=V-Cycles"})), "");
   EXPECT_EQ(io::difference(standard, of({"Coupling/Tolerance=1e-6"})), "");
   EXPECT_EQ(io::difference(standard, of({"Friction/Law=Regularised"})), "")
     << "a default, said aloud";

@@ -129,9 +129,9 @@ TEST(SolverSetup, ChoosesTheCorrection)
   EXPECT_EQ(choice("Auto", 1, 50000, 2), Correction::direct);
   EXPECT_EQ(choice("Auto", 1, 50000, 3), Correction::multigrid);
   EXPECT_EQ(choice("Direct", 1, 10000000), Correction::direct);
-  EXPECT_EQ(choice("MueLu", 1, 10), Correction::multigrid);
+  EXPECT_EQ(choice("Multigrid", 1, 10), Correction::multigrid);
   expectRefusal([&] { choice("Direct", 2, 10); },
-                {"Asperity / TNNMG / Linear Correction = Direct", "not on 2", "MueLu"});
+                {"Asperity / TNNMG / Linear Correction = Direct", "not on 2", "Multigrid"});
 }
 
 TEST(SolverSetup, ReadsTolerancesAndBudget)
@@ -156,7 +156,7 @@ TEST(SolverSetup, SaysWhatDirectCostsWhereAutoChoosesMultigrid)
   }
   EXPECT_EQ(hintOnDirect(solverList("Direct"), 3, 9000), "");
   EXPECT_EQ(hintOnDirect(solverList("Direct"), 2, 45000), "");
-  EXPECT_EQ(hintOnDirect(solverList("MueLu"), 3, 45000), "");
+  EXPECT_EQ(hintOnDirect(solverList("Multigrid"), 3, 45000), "");
   EXPECT_EQ(hintOnDirect(solverList("Auto"), 3, 45000), "");
 }
 } // namespace asperity::scenario

@@ -17,7 +17,7 @@ TnnmgSettings tight()
 
 Teuchos::ParameterList multigridParameters()
 {
-  Teuchos::ParameterList list("MueLu Correction");
+  Teuchos::ParameterList list("Multigrid");
   list.sublist("MueLu").set("coarse: max size", 40); // two levels at least in a small model
   return list;
 }

@@ -58,7 +58,7 @@ namespace
 // The message of the error of the input, or nothing where the list is accepted.
 std::string refusal(std::string const& list,
                     std::function<void(Teuchos::ParameterList&)> const& change,
-                    std::string const& cycle = "Own")
+                    std::string const& cycle = "Asperity")
 {
   auto given = parameters();
   given.set("Cycle", cycle);

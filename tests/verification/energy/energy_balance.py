@@ -45,7 +45,7 @@ def newmark():
     equal = run("newmark")
     unequal = run("unequal", "Time Stepping/Control=Step Doubling",
                   "Time Stepping/Step Doubling/Tolerance=1e-3")
-    parallel = run("parallel", "TNNMG/Linear Correction=MueLu", "Time Stepping/Final Time=0.2",
+    parallel = run("parallel", "TNNMG/Linear Correction=Multigrid", "Time Stepping/Final Time=0.2",
                    ranks=2)
     one_rank = equal[len(parallel) - 1]["friction_work"]
     difference = abs(parallel[-1]["friction_work"] / one_rank - 1)

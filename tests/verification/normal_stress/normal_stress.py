@@ -111,7 +111,7 @@ def solvers():
     """Direct and multigrid, one rank and two; J never rises."""
     reference = run("direct", {})
     answer = time_orders.at_times(reference, FIELDS)
-    multigrid = {"TNNMG/Linear Correction": "MueLu"}
+    multigrid = {"TNNMG/Linear Correction": "Multigrid"}
     passed = []
     for name, ranks in (("multigrid, 1 rank", 1), ("multigrid, 2 ranks", 2)):
         folder = run("out", multigrid, ranks=ranks)

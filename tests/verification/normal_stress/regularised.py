@@ -120,7 +120,7 @@ def solvers():
     reference = run("direct", REGULARISED)
     answer = time_orders.at_times(reference, FIELDS)
     found = time_orders.at_times(
-        run("out", {**REGULARISED, "TNNMG/Linear Correction": "MueLu"}, ranks=2), FIELDS)
+        run("out", {**REGULARISED, "TNNMG/Linear Correction": "Multigrid"}, ranks=2), FIELDS)
     difference = max(numpy.abs(numpy.sort(found[key], axis=1) -
                                numpy.sort(answer[key], axis=1)).max()
                      / numpy.ptp(answer[key]) for key in FIELDS)

@@ -15,7 +15,7 @@ from asperity_plot import mirror  # noqa: E402 pylint: disable=wrong-import-posi
 VP = 1e-4
 TOLERANCE = 1e-9  # of the largest value; the solvers' tolerances are 1e-11 and 1e-12
 # so small that these meshes have several levels
-COARSEST = {"TNNMG/MueLu Correction/MueLu/coarse: max size": 50}
+COARSEST = {"TNNMG/Multigrid/MueLu/coarse: max size": 50}
 FIELDS = ("slip", "slip_rate", "alpha", "traction")
 COMPONENT = {"Antiplane": "Z", "Plane Strain": "X", "Solid": "X"}
 
@@ -117,7 +117,7 @@ def check(model, dynamics, solvers, change="Fixed"):
 
 
 def main():
-    every = (("Direct", 1), ("MueLu", 1), ("MueLu", 2))
+    every = (("Direct", 1), ("Multigrid", 1), ("Multigrid", 2))
     passed = [
         *check("Antiplane", "Quasi-dynamic", every),
         *check("Antiplane", "Inertial", every[:1]),
