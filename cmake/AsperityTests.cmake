@@ -69,13 +69,16 @@ function(asperity_package_labels result level)
 endfunction()
 
 # asperity_add_test(<level>.<package>.<Name> SOURCES <file>... PACKAGES <package>...
-#                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
+#                   [LIBRARIES <target>...] [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>]
+#                   [SEPARATE <file>...])
 #
 # A GoogleTest program, run once for each number of ranks as <level>.<package>.<Name>_MPI_<n>.
 # Labels: the level, packages, and short (the default), medium or long. Continuous integration also
-# runs tests with the label quick in the preset `debug`.
+# runs tests with the label quick in the preset `debug`. In a unity build the sources of a program
+# are compiled together, but for SEPARATE: those whose names are also in others of its sources.
 function(asperity_add_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;PACKAGES;LIBRARIES;RANKS;LABELS;SEPARATE"
+    ${ARGN})
   if(NOT TEST_SOURCES)
     message(FATAL_ERROR "asperity_add_test(${name}): SOURCES is empty")
   endif()
@@ -93,7 +96,9 @@ function(asperity_add_test name)
     set(TEST_TIMEOUT 300)
   endif()
   add_executable(${name} ${TEST_SOURCES})
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF) # files may use the same names
+  if(TEST_SEPARATE)
+    set_source_files_properties(${TEST_SEPARATE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   asperity_compile_options(${name})
   target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/tests")
   asperity_link_packages(${name} PRIVATE ${TEST_PACKAGES})
