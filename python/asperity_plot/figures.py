@@ -1,8 +1,13 @@
-"""The figures by name. The module of that name draws each, and boxes the events."""
+"""The figures by name. The module of that name draws each."""
 
 from importlib import import_module
 
+from matplotlib.figure import Figure
+
 from asperity.errors import NothingToShow
+from asperity.run import Run
+
+from .windows import View
 
 FIGURES = {  # what it shows, and the file that it needs
     "slip_rate": ("slip rate over position and time, with a zoom into a rupture", "fault.h5"),
@@ -28,11 +33,11 @@ FIGURES = {  # what it shows, and the file that it needs
 }
 
 
-def draw(name: str, run, view, is_wanted: bool = False):
+def draw(name: str, run: Run, view: View, is_wanted: bool = False) -> Figure:
     """A figure of matplotlib; NothingToShow if the run has no data for it. InputError if one that
     `is_wanted` lacks its file."""
     lack = run.reason_missing(FIGURES[name][1])
     if not is_wanted and lack:
         raise NothingToShow(lack)
-    module = import_module("." + ("boxes" if name == "events" else name), __package__)
+    module = import_module("." + name, __package__)
     return module.draw(run, view)

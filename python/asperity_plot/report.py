@@ -10,7 +10,7 @@ from asperity.journal import Journal
 from asperity.program import fail
 from asperity.run import Run
 
-from . import boxes, event_table, figures, style, windows
+from . import event_table, events, figures, style, windows
 from .windows import Options
 
 
@@ -85,7 +85,7 @@ def _print_summary(run: Run) -> None:
     try:
         if not run.has("events.csv"):
             return
-        rows = boxes.summary(run)
+        rows = events.summary(run)
         count = style.counted(len(run.events), "event")
     except InputError:
         return

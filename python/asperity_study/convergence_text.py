@@ -8,7 +8,7 @@ from typing import List
 
 import numpy as np
 
-from asperity_plot import boxes, markdown, units
+from asperity_plot import events, markdown, units
 from asperity_plot.markdown import Column
 
 from .convergence import Part, Row, total
@@ -91,7 +91,7 @@ class _Shown:
     def __init__(self, row: Row, values: List[float], error: float):
         name = row.quantity.unit
         self._row = row
-        self._unit = boxes.unit_of(np.array(values), name) if name in ("s", "m", "m/s") \
+        self._unit = events.unit_of(np.array(values), name) if name in ("s", "m", "m/s") \
             else units.Unit(name, 1.0)
         size = units.largest(values)
         self._digits = min(max(2 + math.ceil(math.log10(size / error)), 3), 9) \

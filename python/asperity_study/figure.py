@@ -5,7 +5,7 @@ from typing import Dict, List, Optional, Tuple
 
 import numpy as np
 
-from asperity_plot import boxes, style, units
+from asperity_plot import events, style, units
 
 from .results import Column
 from .study import Study, Variable
@@ -112,11 +112,11 @@ def _label(variable: Variable) -> str:
 def _rows(data: Dict):
     """(label, middles, (lower, upper), whether logarithmic)."""
     yield "Events", _numbers(data, "complete_events"), None, False
-    for label, name, unit in boxes.QUANTITIES + boxes.SIZES:
+    for label, name, unit in events.QUANTITIES + events.SIZES:
         middle = _numbers(data, f"{name}_median")
         if middle is None or not np.isfinite(middle).any():
             continue
-        shown = boxes.unit_of(middle, unit)
+        shown = events.unit_of(middle, unit)
         ends = tuple(shown(_numbers(data, f"{name}_{word}"))
                      for word in ("lower_quartile", "upper_quartile"))
         yield f"{label}\n[{shown.name}]" if unit else label, shown(middle), ends, False

@@ -12,7 +12,7 @@ from asperity.errors import InputError
 from asperity.journal import Journal
 from asperity.run import Run
 from asperity.selection import Selection
-from asperity_plot import boxes
+from asperity_plot import events
 
 from .runner import Job
 from .study import Study
@@ -21,7 +21,7 @@ QUARTILES = ((25, "lower_quartile"), (50, "median"), (75, "upper_quartile"))
 COSTS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "v_cycles", "failed_steps")
 NAMES = {"run", "state", "starts", "events", "complete_events", "time", "steps", *COSTS,
          "wall_time", "warnings",
-         *(f"{name}_{word}" for _, name, _ in boxes.QUANTITIES + boxes.SIZES
+         *(f"{name}_{word}" for _, name, _ in events.QUANTITIES + events.SIZES
            for _, word in QUARTILES)}  # of columns that are no variables
 
 Column = Tuple[str, str, List]  # name, unit, a value for each run
@@ -64,8 +64,8 @@ def _row(job: Job, selection: Selection) -> Dict[Tuple[str, str], float]:
         if run.has("events.csv"):
             row["events", ""] = len(run.events)
             row["complete_events", ""] = len(run.complete_events)
-            samples = boxes.samples(run)
-            for _, name, unit in boxes.quantities(run):
+            samples = events.samples(run)
+            for _, name, unit in events.quantities(run):
                 for percent, word in QUARTILES:
                     found = samples[name]
                     row[f"{name}_{word}", unit] = float(np.percentile(found, percent)) \

@@ -54,7 +54,7 @@ WEDGE = (
                  of.unlocked(25e-6), 623, ".1f"),
         Quantity("number of events", "", of.number_of_events(0), 0),
         Quantity("smallest slip rate at the end", "mm/s", of.final_slowest(1e-3), 0.05, ".6f"),
-        BALANCE), "another program", in_index=(
+        BALANCE), "independent integration", in_index=(
             "time at which the slowest node passes half the plate rate",)),
     sandbox("sandbox_2d", "Laboratory wedge that yields"),
     sandbox("sandbox_2d_elastic", "The same, elastic rock", ("Bulk/Cohesion=1e9",)),

@@ -37,7 +37,6 @@ SIZES = {"bp3_qd": 2e3, "postseismic_2d": 4e3, "splay_2d": 4e3, "subduction_2d":
 
 # What several parameters make together is refused by a message about it, which does not name these
 # ones of them. A parameter that is missing has a default, and its message is about what follows.
-# The table was made of the messages of the first run over all decks (log/reliability.md).
 MADE_TOGETHER = {
     "the number of cells cannot be counted": ["Height", "Length", "slope"],
     "The cohesive zone G' L / (b sigma_n)": ["Gravitational Acceleration", "Normal Stress Factor",
