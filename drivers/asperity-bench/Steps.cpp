@@ -126,7 +126,7 @@ std::string tableOf(Cost const& cost)
       << " ms of wall time, without set-up. For each of them, CPU times of all threads in products "
          "with K:\n\n"
          "| tau [s] | accepted | coupled | rate problems | TNNMG | V-cycles | time | set-up, all | "
-         "rises |\n|---|---|---|---|---|---|---|---|---|\n| "
+         "energy increases |\n|---|---|---|---|---|---|---|---|---|\n| "
       << cost.smallest << " to " << cost.largest << " | " << cost.num_steps << " | "
       << cost.count.coupled_steps << " | " << perStep(cost.count.rate_problems) << " | "
       << perStep(cost.count.tnnmg_iterations) << " | " << perStep(cost.count.v_cycles) << " | "

@@ -23,7 +23,7 @@ public:
   static std::string meaning() { return "steps begin with the smallest and grow."; }
 
   GrowingSteps(Teuchos::ParameterList const& parameters, ControlContext const& context)
-      : StepControl(context.step)
+      : StepControl(context)
       , steps_of_a_size_(parameters.get<int>("Steps of a Size"))
       , level_(clock().finestLevel())
   {

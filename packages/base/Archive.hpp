@@ -23,10 +23,11 @@ public:
   template <class T>
   void set(std::string const& path, T const& value)
   {
-    if constexpr (std::is_integral_v<T>)
+    if constexpr (std::is_integral_v<T>) {
       values_[path] = static_cast<std::int64_t>(value);
-    else
+    } else {
       values_[path] = Value(value);
+    }
   }
 
   // A list with the same number of values for each node of a set, in the order of this rank's
@@ -91,9 +92,7 @@ Sum loadMembers(Archive const& archive, std::string const& path)
 {
   Sum sum;
   for (auto const& [name, member] : Sum::members()) {
-    if (archive.has(path + "/" + name)) { // the archive may be older than the member
-      sum.*member = archive.get<std::decay_t<decltype(sum.*member)>>(path + "/" + name);
-    }
+    sum.*member = archive.get<std::decay_t<decltype(sum.*member)>>(path + "/" + name);
   }
   return sum;
 }

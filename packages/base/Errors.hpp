@@ -20,8 +20,9 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-// Steps have hidden earthquakes: a restart would go on after what is lost.
-class LostEarthquakes : public SolveError
+// What a run has computed is of no use, and no restart repairs it: it would go on after what is
+// lost.
+class UselessRun : public SolveError
 {
 public:
   using SolveError::SolveError;

@@ -2,7 +2,6 @@
 
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "fem/PatchedBody.hpp"
 #include "fem/Simplex.hpp"
 #include "fem/detail/AssembleRows.hpp"
 #include "fem/detail/PatchViews.hpp"
@@ -95,9 +94,10 @@ RCP<const CrsGraph> graphOf(Adjacency const& adjacency, DofMap const& dofs)
 
 // M, C and K of materials without relaxation on a graph.
 template <int Dim, int Components>
-BodyMatrices assembleOn(RCP<const CrsGraph> const& graph, Mesh<Dim> const& mesh, DofMap const& dofs,
-                        NodalFrames const& frames, std::vector<Material> const& materials,
-                        VolumetricPatches const& patches)
+BodyMatrices assembleOnGraph(RCP<const CrsGraph> const& graph, Mesh<Dim> const& mesh,
+                             DofMap const& dofs, NodalFrames const& frames,
+                             std::vector<Material> const& materials,
+                             VolumetricPatches const& patches)
 {
   auto mass = rcp(new CrsMatrix(graph));
   auto viscosity = rcp(new CrsMatrix(graph));
@@ -120,32 +120,26 @@ BodyMatrices assembleOn(RCP<const CrsGraph> const& graph, Mesh<Dim> const& mesh,
   stiffness->fillComplete(dofs.owned(), dofs.owned());
   return {mass, viscosity, stiffness};
 }
+
 template <int Dim, int Components>
-BodyMatrices assemble(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                      std::vector<Material> const& materials,
-                      std::vector<MaxwellBranch> const& branches, VolumetricPatches const& patches)
+BodyMatrices assembleMatrices(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
+                              std::vector<Material> const& materials,
+                              std::vector<MaxwellBranch> const& branches,
+                              VolumetricPatches const& patches)
 {
   ASPERITY_TIME_WORK("assembly");
   ASPERITY_ASSERT(dofs.components() == Components && materials.size() == mesh.cells.size());
   auto const graph = graphOf(neighbours(mesh, frames, patches), dofs);
-  auto result =
-    assembleOn<Dim, Components>(graph, mesh, dofs, frames, longTerm(materials, branches), patches);
+  auto result = assembleOnGraph<Dim, Components>(graph, mesh, dofs, frames,
+                                                 longTerm(materials, branches), patches);
   for (auto const& branch : branches) {
     auto const of_branch =
-      assembleOn<Dim, Components>(graph, mesh, dofs, frames, materialsOf(branch), {});
+      assembleOnGraph<Dim, Components>(graph, mesh, dofs, frames, materialsOf(branch), {});
     result.branches.push_back({branch.time, of_branch.stiffness});
   }
   return result;
 }
 } // namespace
-
-template <int Dim, int Components>
-BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                          std::vector<Material> const& materials,
-                          std::vector<MaxwellBranch> const& branches)
-{
-  return assemble<Dim, Components>(mesh, dofs, frames, materials, branches, {});
-}
 
 template <int Dim, int Components>
 RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
@@ -262,28 +256,16 @@ RCP<CrsMatrix> combine(BodyMatrices const& body, Weights const& weights, HeldDof
 template <int Dim>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                           std::vector<Material> const& materials,
-                          std::vector<MaxwellBranch> const& branches)
+                          std::vector<MaxwellBranch> const& branches,
+                          VolumetricPatches const& patches)
 {
-  if (dofs.components() == Dim) {
-    return assembleBody<Dim, Dim>(mesh, dofs, frames, materials, branches);
-  }
-  ASPERITY_ASSERT(Dim == 2 && dofs.components() == 1);
   if constexpr (Dim == 2) {
-    return assembleBody<2, 1>(mesh, dofs, frames, materials, branches);
+    if (dofs.components() == 1) {
+      ASPERITY_ASSERT(patches.patch_of_cell.empty());
+      return assembleMatrices<2, 1>(mesh, dofs, frames, materials, branches, {});
+    }
   }
-  return {};
-}
-
-template <int Dim>
-BodyMatrices assemblePatchedBody(Mesh<Dim> const& mesh, DofMap const& dofs,
-                                 NodalFrames const& frames, std::vector<Material> const& materials,
-                                 std::vector<MaxwellBranch> const& branches,
-                                 VolumetricPatches const& patches)
-{
-  if (patches.patch_of_cell.empty() && dofs.components() < Dim) {
-    return assembleBody<Dim>(mesh, dofs, frames, materials, branches);
-  }
-  return assemble<Dim, Dim>(mesh, dofs, frames, materials, branches, patches);
+  return assembleMatrices<Dim, Dim>(mesh, dofs, frames, materials, branches, patches);
 }
 
 template <int Dim>
@@ -296,24 +278,8 @@ RCP<Vector> assembleGravity(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFram
            : rcp(new Vector(dofs.owned()));
 }
 
-#define ASPERITY_INSTANTIATE(DIM, COMPONENTS)                                                      \
-  template BodyMatrices assembleBody<DIM, COMPONENTS>(                                             \
-    Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&,             \
-    std::vector<MaxwellBranch> const&);                                                            \
-  template RCP<Vector> assembleGravity<DIM, COMPONENTS>(                                           \
-    Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&,             \
-    std::array<double, COMPONENTS> const&);
-
-ASPERITY_INSTANTIATE(2, 1)
-ASPERITY_INSTANTIATE(2, 2)
-ASPERITY_INSTANTIATE(3, 3)
-#undef ASPERITY_INSTANTIATE
-
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
-  template BodyMatrices assembleBody<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,     \
-                                          std::vector<Material> const&,                            \
-                                          std::vector<MaxwellBranch> const&);                      \
-  template BodyMatrices assemblePatchedBody(                                                       \
+  template BodyMatrices assembleBody<DIM>(                                                         \
     Mesh<DIM> const&, DofMap const&, NodalFrames const&, std::vector<Material> const&,             \
     std::vector<MaxwellBranch> const&, VolumetricPatches const&);                                  \
   template RCP<Vector> assembleGravity<DIM>(Mesh<DIM> const&, DofMap const&, NodalFrames const&,   \
@@ -323,4 +289,14 @@ ASPERITY_INSTANTIATE(3, 3)
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)
 #undef ASPERITY_INSTANTIATE
+
+template RCP<Vector> assembleGravity<2, 1>(Mesh<2> const&, DofMap const&, NodalFrames const&,
+                                           std::vector<Material> const&,
+                                           std::array<double, 1> const&);
+template RCP<Vector> assembleGravity<2, 2>(Mesh<2> const&, DofMap const&, NodalFrames const&,
+                                           std::vector<Material> const&,
+                                           std::array<double, 2> const&);
+template RCP<Vector> assembleGravity<3, 3>(Mesh<3> const&, DofMap const&, NodalFrames const&,
+                                           std::vector<Material> const&,
+                                           std::array<double, 3> const&);
 } // namespace asperity::fem

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/Types.hpp"
+#include "fem/VolumetricPatches.hpp"
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/MaxwellBranch.hpp"
 #include "fem/constraints/HeldDofs.hpp"
@@ -33,18 +34,16 @@ struct BodyMatrices
   std::vector<Branch> branches = {};
 };
 
-// materials(num_cells). Collective, but without communication, since every rank has all cells of
-// its rows.
-template <int Dim, int Components>
-BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
-                          std::vector<Material> const& materials,
-                          std::vector<MaxwellBranch> const& branches = {});
-
-// The same with the number of components of the dofs.
+// The matrices with the number of components of the dofs. materials(num_cells). With patches, whose
+// cells share volumetric strains, the graph of the matrices couples the vertices of a patch; mass,
+// viscosity and branches are those of single cells, and the stiffness of the patches never relaxes.
+// Collective, but without communication, since every rank has all cells of its rows and of its
+// patches.
 template <int Dim>
 BodyMatrices assembleBody(Mesh<Dim> const& mesh, DofMap const& dofs, NodalFrames const& frames,
                           std::vector<Material> const& materials,
-                          std::vector<MaxwellBranch> const& branches = {});
+                          std::vector<MaxwellBranch> const& branches = {},
+                          VolumetricPatches const& patches = {});
 
 // The load of a body force density * acceleration, acceleration(Components) in m/s^2 along the
 // axes.

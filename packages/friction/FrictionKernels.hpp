@@ -6,12 +6,12 @@ namespace asperity::friction
 {
 // The nodal friction functional (Pipping 2014, §4) with one law at every node of the fault,
 //
-//   psi_i(w) = weight_i [ sigma_n_i mubar(c_i |w|, alpha_i) / c_i + cohesion_i |w| ],
+//   psi_i(w) = weight_i [ sigma_n_i mubar(chi_i |w|, alpha_i) / chi_i + cohesion_i |w| ],
 //
-// where mubar(V, alpha) is the integral of mu(., alpha) from 0 to V, and c_i is the slip factor.
+// where mubar(V, alpha) is the integral of mu(., alpha) from 0 to V, and chi_i is the slip factor.
 // Hence
 //
-//   d psi_i / d|w| = weight_i [ sigma_n_i mu(c_i |w|, alpha_i) + cohesion_i ].
+//   d psi_i / d|w| = weight_i [ sigma_n_i mu(chi_i |w|, alpha_i) + cohesion_i ].
 //
 // psi_i is a power in W, in two dimensions per metre of thickness.
 //
@@ -34,11 +34,11 @@ public:
   // For each node i of `nodes`: v_i := argmin_w curvature_i/2 |w|^2 - <r_i, w> + psi_i(w).
   //
   // The minimiser is a multiple of r_i. Its length s solves
-  //   curvature_i s + weight_i (sigma_n_i mu(c_i s) + cohesion_i) = |r_i|
+  //   curvature_i s + weight_i (sigma_n_i mu(chi_i s) + cohesion_i) = |r_i|
   // up to the rounding of this equation; s = 0 if |r_i| <= weight_i cohesion_i, or if the slip rate
   // would be below 1e-300 m/s. The given v_i is the first guess.
   // Beside a prescribed velocity p (StateAndStress) it minimises psi_i(w + p) instead: r_i is at
-  // right angles to p, and s solves the equation with mu(c_i |w + p|) and the part s / |w + p| of
+  // right angles to p, and s solves the equation with mu(chi_i |w + p|) and the part s / |w + p| of
   // friction.
   // curvature(num_nodes) > 0 in N s/m, r(num_nodes, T) in N.
   // Returns the number of nodes without a solution, where v_i does not change. There a curvature is
@@ -68,7 +68,7 @@ public:
   virtual Difference difference(ConstBlockView const& v, ConstBlockView const& d,
                                 StateAndStress const& at) const = 0;
 
-  // mu_i := mu(c_i |v_i|, alpha_i).
+  // mu_i := mu(chi_i |v_i|, alpha_i).
   virtual void coefficient(ConstBlockView const& v, ConstNodeView const& alpha,
                            NodeView const& mu) const = 0;
 

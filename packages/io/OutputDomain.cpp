@@ -173,19 +173,14 @@ detail::CurveOrder orderAlong(OutputDomain const& domain, Mesh<2> const& mesh,
   for (std::size_t i = 0; i < all_ids.size(); ++i) {
     coordinates[all_ids[i]] = {all_coordinates[2 * i], all_coordinates[2 * i + 1]};
   }
-  return detail::orderCurve(segments, coordinates, startOf(domain));
+  return detail::orderCurve(segments, coordinates, domain.start);
 }
 } // namespace
-
-CurveStart startOf(OutputDomain const& curve)
-{
-  return curve.name == "surface" ? CurveStart::smaller_x : CurveStart::upper_end;
-}
 
 std::string startText(OutputDomain const& curve)
 {
   const std::string start =
-    startOf(curve) == CurveStart::upper_end
+    curve.start == CurveStart::upper_end
       ? "its upper end (greater y; of ends equally high the one with smaller x)"
       : "the end with smaller x (of equal x, with smaller y)";
   return start + (curve.parts.empty() ? "" : "; " + partsText(curve));
@@ -211,7 +206,8 @@ std::string partAt(OutputDomain const& curve, double position)
 
 template <int Dim>
 OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
-                            std::string const& boundary, RCP<const Communicator> const& comm)
+                            std::string const& boundary, RCP<const Communicator> const& comm,
+                            CurveStart start)
 {
   std::vector<std::string> known;
   for (auto const& entry : mesh.boundaries) {
@@ -223,6 +219,7 @@ OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
                                                      << didYouMean(boundary, known));
   auto const& facets = found->second;
   OutputDomain domain = ownedNodes(name, mesh, facets, comm);
+  domain.start = start;
   const double nodes = sumOverRanks(static_cast<double>(domain.numOwned()), *comm);
   ASPERITY_REQUIRE(nodes > 0, "The boundary '" << boundary << "', to be the " << name
                                                << ", has no facets. Check the mesh.");
@@ -308,9 +305,9 @@ OutputDomain volumeDomain(Mesh<Dim> const& mesh, RCP<const Communicator> const& 
 }
 
 template OutputDomain boundaryDomain(std::string const&, Mesh<2> const&, std::string const&,
-                                     RCP<const Communicator> const&);
+                                     RCP<const Communicator> const&, CurveStart);
 template OutputDomain boundaryDomain(std::string const&, Mesh<3> const&, std::string const&,
-                                     RCP<const Communicator> const&);
+                                     RCP<const Communicator> const&, CurveStart);
 template void nameParts(OutputDomain&, Mesh<2> const&, std::vector<std::string> const&);
 template void nameParts(OutputDomain&, Mesh<3> const&, std::vector<std::string> const&);
 template OutputDomain volumeDomain(Mesh<2> const&, RCP<const Communicator> const&);

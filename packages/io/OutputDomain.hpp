@@ -34,12 +34,13 @@ struct OutputDomain
   GlobalOrdinal num_global_nodes = 0;
   RCP<const Communicator> comm;
 
-  std::vector<int> vertices;               // (num_owned) local vertices of the mesh
-  std::vector<GlobalOrdinal> vertex_ids;   // (num_owned) global ids in the mesh
-  std::vector<GlobalOrdinal> node_numbers; // (num_owned) numbers within the domain
-  std::vector<double> coordinates;         // (num_owned, dimension) [m]
-  std::vector<double> weights;             // (num_owned) lumped measure [m], [m^2] or [m^3]
-  std::vector<double> positions;           // (num_owned) arc length [m]; empty unless a curve
+  std::vector<int> vertices;                // (num_owned) local vertices of the mesh
+  std::vector<GlobalOrdinal> vertex_ids;    // (num_owned) global ids in the mesh
+  std::vector<GlobalOrdinal> node_numbers;  // (num_owned) numbers within the domain
+  std::vector<double> coordinates;          // (num_owned, dimension) [m]
+  std::vector<double> weights;              // (num_owned) lumped measure [m], [m^2] or [m^3]
+  std::vector<double> positions;            // (num_owned) arc length [m]; empty unless a curve
+  CurveStart start = CurveStart::upper_end; // where positions are 0
   // A boundary of the mesh that a curve is made of: the range of its positions [m].
   struct Part
   {
@@ -71,9 +72,8 @@ struct OutputDomain
   bool isCurve() const { return dimension == 2 && nodes_per_element == 2; }
 };
 
-// Where the positions of a curve are 0; in words for descriptions of files, "its upper end (...)",
+// Where the positions of a curve are 0, in words for descriptions of files, "its upper end (...)",
 // with the names and positions of its parts.
-CurveStart startOf(OutputDomain const& curve);
 std::string startText(OutputDomain const& curve);
 // "main: 0 to 20000 m, splay: 20000 to 24000 m", or nothing.
 std::string partsText(OutputDomain const& curve);
@@ -82,14 +82,13 @@ std::string partAt(OutputDomain const& curve, double position);
 
 // The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
 //
-// In two dimensions positions are the distance along the boundary from its upper end, as
-// seismologists count them on a fault; along a domain that is called "surface" from the end with
-// the smaller x. Each further piece of a boundary continues where the piece before it ended.
+// In two dimensions positions are the distance along the boundary from its start. Each further piece of a boundary continues where the piece before it ended.
 // Throws InputError if the mesh has no boundary of that name, or if the boundary has no facets on
 // any rank. Collective.
 template <int Dim>
 OutputDomain boundaryDomain(std::string const& name, Mesh<Dim> const& mesh,
-                            std::string const& boundary, RCP<const Communicator> const& comm);
+                            std::string const& boundary, RCP<const Communicator> const& comm,
+                            CurveStart start = CurveStart::upper_end);
 
 // Fills the boundaries and, of a curve, the parts of a domain whose boundary joinBoundaries made of
 // these. Does nothing if it is a single one. Collective.

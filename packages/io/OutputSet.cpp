@@ -55,7 +55,7 @@ DirectionUp DirectionUp::from(Teuchos::ParameterList const& output)
   return upEntries(declared).read(output, "Asperity / Output");
 }
 
-std::array<double, 3> DirectionUp::required() const
+std::array<double, 3> DirectionUp::orDefault() const
 {
   if (!up) {
     return {0, 1, 0};
@@ -81,7 +81,7 @@ OutputSet::OutputSet(Teuchos::ParameterList const& parameters, OutputContext con
 {
   auto const list = complete(parameters);
   OutputContext context = given;
-  context.up = DirectionUp::from(list).required();
+  context.up = DirectionUp::from(list).orDefault();
   makeOutputs(list, context);
   std::stable_partition(entries_.begin(), entries_.end(),
                         [](Entry const& entry) { return entry.output->mayEndRun(); });

@@ -15,7 +15,7 @@ struct DirectionUp
 
   static DirectionUp from(Teuchos::ParameterList const& output);
   // +y if it is not given; InputError if it is no direction.
-  std::array<double, 3> required() const;
+  std::array<double, 3> orDefault() const;
 };
 
 // All outputs of a run, made from the deck's list `Output`: one sublist for every registered kind,

@@ -12,6 +12,6 @@ template <int Dim>
 void requireMemory(Mesh<Dim> const& part, int refinements, Communicator const& communicator,
                    std::string const& where);
 
-// Measured on large meshes of tetrahedra, at the peak of the last refinement (log/performance.md).
+// Of large meshes of tetrahedra, at the peak of the last refinement.
 constexpr double bytes_per_cell = 40;
 } // namespace asperity::refinement

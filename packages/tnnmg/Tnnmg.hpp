@@ -27,7 +27,7 @@ struct TnnmgResult
   bool failed() const { return failed_nodes > 0 || !std::isfinite(last_change); }
 };
 
-// Truncated nonsmooth Newton multigrid (Graeser and Kornhuber 2009; Pipping 2014, ch. 4): minimises
+// Truncated nonsmooth Newton multigrid (Gräser and Kornhuber 2009; Pipping 2014, ch. 4): minimises
 //   J(v) = 1/2 <Z v, v> - <b, v> + sum over nonlinear nodes of psi_i(v_i),   psi_i convex,
 // by iterations that each lower J: a nonlinear Gauss-Seidel sweep over the nonlinear nodes,
 // truncation of the nodes where psi has no useful second derivative, a linear correction for all

@@ -1,11 +1,8 @@
-"""The events of a run: the origin of their positions, and which of them count."""
-
-from typing import Optional
+"""The events of a run, and which of them count."""
 
 import numpy as np
 
 from .errors import InputError
-from .h5file import H5File
 from .selection import Selection
 from .tables import Table
 
@@ -16,26 +13,9 @@ LEVEL = 1e-6  # of the length of a fault: ends that differ less in height are eq
 NUCLEATION, FROM_UPPER_END = "nucleation", "nucleation_from_upper_end"
 
 
-def begins_at_upper_end(nodes: np.ndarray, positions: np.ndarray) -> bool:
-    """Whether positions along a fault, of nodes (n, 2), count from its upper end. Earlier versions
-    count from the end with smaller x, then y: from below on an upright fault."""
-    return bool(nodes[-1, 1] - nodes[0, 1] <= LEVEL * positions[-1])
-
-
-def with_origin(table: Table, geometry: Optional[H5File]) -> Table:
-    """The events with `nucleation` [m] from the upper end of the fault; of an older run by the
-    `geometry` of its fault and, without one, as `nucleation_from_smaller_coordinates`."""
-    if FROM_UPPER_END in table:
-        return _renamed(table, FROM_UPPER_END, NUCLEATION)
-    if NUCLEATION not in table:
-        return table
-    if geometry is None or not geometry.has("geometry/positions"):
-        return _renamed(table, NUCLEATION, "nucleation_from_smaller_coordinates")
-    positions = geometry.array("geometry/positions")
-    if begins_at_upper_end(geometry.array("geometry/coordinates"), positions):
-        return table
-    return Table(table.path, {**table.columns, NUCLEATION: positions[-1] - table[NUCLEATION]},
-                 table.units)
+def with_nucleation(table: Table) -> Table:
+    """The events with `nucleation` [m] from the upper end of the fault, if it is a curve."""
+    return _renamed(table, FROM_UPPER_END, NUCLEATION) if FROM_UPPER_END in table else table
 
 
 def _renamed(table: Table, name: str, new: str) -> Table:

@@ -39,9 +39,9 @@ class Journal:
     how: str = ""
     exit_status: Optional[int] = None
     message: str = ""
-    kind: str = ""                                        # of a failure; '' of earlier versions
+    kind: str = ""                                        # of a failure, else ''
     clock: float = 0.0                                    # [s] since 1970: the last process began
-    fault: Dict[str, Any] = field(default_factory=dict)   # how it lies; {} of earlier versions
+    fault: Dict[str, Any] = field(default_factory=dict)   # how it lies; {} without one
     warnings: List[Warned] = field(default_factory=list)  # the last one of each topic
     progress: List[Progress] = field(default_factory=list)
     wall_time: Optional[float] = None                     # [s] of all processes
@@ -49,7 +49,7 @@ class Journal:
     @classmethod
     def read(cls, directory: Path) -> "Journal":
         """InputError if the directory has no log. What is no complete line is left out. What
-        run.jsonl does not tell is that of the log: earlier versions write no run.jsonl."""
+        run.jsonl does not tell, as one that is lost, is that of the log."""
         journal = cls(RunLog.read(directory / "run.log"))
         try:
             text = (directory / "run.jsonl").read_text(encoding="utf-8", errors="replace")
@@ -88,6 +88,4 @@ class Journal:
         elif event == "end":
             self.how, self.exit_status = entry["how"], entry["exit_status"]
             self.message, self.kind = entry["message"], entry.get("kind", "")
-            # earlier versions say the wall time of each process
-            self.wall_time = entry["wall_time"] if "wall_time" in entry \
-                else (self.wall_time or 0.0) + entry["wall"]
+            self.wall_time = entry["wall_time"]

@@ -134,11 +134,7 @@ class Run:
     @cached_property
     def events(self) -> Table:
         """The events that count, in the order of time; `nucleation` is from the upper end."""
-        table = self._all_events
-        geometry = next((name for name in ("fault.h5", "rupture.h5") if self.has(name)), None)
-        table = catalogue.with_origin(table, H5File(self.directory / geometry)
-                                      if geometry and catalogue.NUCLEATION in table else None)
-        return catalogue.select(table, self.selection)
+        return catalogue.select(catalogue.with_nucleation(self._all_events), self.selection)
 
     @cached_property
     def complete_events(self) -> Table:

@@ -8,8 +8,7 @@ from asperity.journal import Journal
 from asperity.run import Run
 
 Vector = Tuple[float, ...]
-NO_FACTS = ("run.jsonl does not say how the fault lies: the run has no fault, has just begun, or "
-            "is of an earlier version of asperity")
+NO_FACTS = ("run.jsonl does not say how the fault lies: the run has no fault, or has just begun")
 
 
 @dataclass(frozen=True)

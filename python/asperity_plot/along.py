@@ -5,7 +5,7 @@ from typing import List, Tuple
 
 import numpy as np
 
-from asperity.catalogue import LEVEL, begins_at_upper_end
+from asperity.catalogue import LEVEL
 from asperity.h5file import H5File
 from asperity.history import positions
 from asperity.run import Run
@@ -24,7 +24,6 @@ class Axis:
     name: str
     unit: units.Unit
     origin: float                # [m] of the coordinate where positions are 0
-    sign: float                  # -1 if it decreases along the curve
     limits: Tuple[float, float]  # positions [m] of what is worth showing
     is_downwards: bool = False   # counted from the upper end, so that figures have it vertical
     parts: Tuple[Tuple[str, float], ...] = ()  # of several faults the name and the first position
@@ -36,11 +35,11 @@ class Axis:
 
     def metres(self, where):
         """The coordinate [m] at positions [m]."""
-        return self.origin + self.sign * np.asarray(where, dtype=float)
+        return self.origin + np.asarray(where, dtype=float)
 
     def positions(self, metres):
         """The positions [m] of coordinates [m]."""
-        return (np.asarray(metres, dtype=float) - self.origin) * self.sign
+        return np.asarray(metres, dtype=float) - self.origin
 
     def line(self, axes, where, values, **look):
         """Draws `values` over the positions `where` [m] of all nodes, or across where these grow
@@ -104,7 +103,7 @@ def _titles(file: H5File, where: np.ndarray, pieces: List[slice]) -> List[str]:
 def _axis(run: Run, file: H5File, place: str, curve: slice, parts, begin: float) -> Axis:
     """Of the nodes `curve`, the first of which is at the position `begin` [m]."""
     where = positions(file)[curve]
-    name, origin, sign, is_downwards = f"Position along the {place}", -begin, 1.0, False
+    name, origin, is_downwards = f"Position along the {place}", -begin, False
     if run.is_wedge:
         name = f"Distance from the trench along the {'base' if place == 'fault' else 'surface'}"
     elif file.has("geometry/coordinates"):
@@ -112,13 +111,11 @@ def _axis(run: Run, file: H5File, place: str, curve: slice, parts, begin: float)
         is_level = _is_constant(nodes[:, 1], where)
         if place == "fault":
             name, is_downwards = _name(run, nodes, where - begin, is_level), not is_level
-            if not begins_at_upper_end(nodes, where - begin):
-                origin, sign = where[-1], -1.0
         elif is_level:
             name, origin = "x", nodes[0, 0]
     limits = _limits(file, positions(file), curve)
-    shown = units.length(origin + sign * np.array(limits))
-    return Axis(name, shown, origin, sign, limits, is_downwards, parts, curve)
+    shown = units.length(origin + np.array(limits))
+    return Axis(name, shown, origin, limits, is_downwards, parts, curve)
 
 
 def _parts(file: H5File) -> Tuple[Tuple[str, float], ...]:

@@ -22,7 +22,7 @@ from . import page
 
 MOST_COLUMNS = 9  # of a table that need not be moved sideways
 SUMS = ("coupled_steps", "rate_problems", "tnnmg_iterations", "corrections", "v_cycles",
-        "failed_steps", "energy_rises")
+        "failed_steps", "energy_increases")
 EACH = ("fixed_point_iterations", "tnnmg_iterations", "step_size", "error")
 
 

@@ -40,7 +40,7 @@ class Facts:
     knows_cycles: bool
     relative_energy_defect: Optional[float]  # of the largest work in the balance
     failed_steps: Optional[int]
-    energy_rises: Optional[int]
+    energy_increases: Optional[int]
     worst_step: Optional[Dict[str, float]]
     message: Optional[str]      # why a failed run has ended
     kind: Optional[str]         # of its failure, as in run.jsonl
@@ -130,13 +130,13 @@ def _left(progress: List[Progress], since: float) -> Dict[str, Any]:
 def _steps(table: Optional[Table]) -> Dict[str, Any]:
     """The energy balance, and the step with the most iterations, from steps.csv."""
     found: Dict[str, Any] = dict.fromkeys(
-        ("relative_energy_defect", "failed_steps", "energy_rises", "worst_step"))
+        ("relative_energy_defect", "failed_steps", "energy_increases", "worst_step"))
     if not table:
         return found
     largest = max((abs(table[name][-1]) for name in WORKS if name in table), default=0.0)
     if "energy_defect" in table and largest > 0.0:
         found["relative_energy_defect"] = float(table["energy_defect"][-1] / largest)
-    for name in ("failed_steps", "energy_rises"):
+    for name in ("failed_steps", "energy_increases"):
         if name in table:
             found[name] = int(table[name].sum())
     cost = next((name for name in WORST[1::-1] if name in table), None)

@@ -24,7 +24,7 @@ def _state(now: Facts) -> str:
           else "there is no checkpoint of it")
     if now.state == "failed":
         why = (now.message or "the log says why").rstrip(".")
-        if _has_lost_earthquakes(now):
+        if now.kind == "useless_run":
             return f"failed: {why}"
         if not now.has_checkpoint:
             return f"failed: {why}; {on}"
@@ -42,13 +42,6 @@ def _state(now: Facts) -> str:
         return (f"silent for {durations.text(now.age)}: killed, or hanging; if no process of it "
                 f"is left, {on}")
     return f"stopped before its end; {on}" if now.state == "stopped" else now.state
-
-
-def _has_lost_earthquakes(now: Facts) -> bool:
-    """Earlier versions tell no kind of failure, but what to do."""
-    if now.kind is not None:
-        return now.kind == "lost_earthquakes"
-    return "begin a new run" in (now.message or "")
 
 
 def _place(now: Facts) -> str:

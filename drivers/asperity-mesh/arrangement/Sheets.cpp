@@ -2,29 +2,13 @@
 
 #include "arrangement/Patches.hpp"
 
+#include "base/DisjointSets.hpp"
 #include "mesh/SimplexGeometry.hpp"
-
-#include <numeric>
 
 namespace asperity::geometry
 {
 namespace
 {
-// Sets of parts that became one.
-class Unions
-{
-public:
-  explicit Unions(std::size_t number) : parent_(number)
-  {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int find(int i) const { return parent_[i] == i ? i : find(parent_[i]); }
-  void join(int i, int j) { parent_[find(i)] = find(j); }
-
-private:
-  std::vector<int> parent_;
-};
-
 // The edges at which the same parts meet, and by how much each two of them continue each other.
 struct Branch
 {
@@ -96,7 +80,7 @@ std::vector<TriangleSurface> sheetsOf(TriangleSurface const& surface)
   if (branches.empty()) {
     return {surface};
   }
-  Unions sheets(patches.list.size());
+  DisjointSets sheets(patches.list.size());
   for (auto const& [parts, branch] : branches) {
     std::vector<bool> has_partner(parts.size(), false);
     for (auto const& pair : branch.straightest()) {
@@ -106,11 +90,11 @@ std::vector<TriangleSurface> sheetsOf(TriangleSurface const& surface)
       }
     }
   }
-  std::map<int, double> areas;
+  std::map<std::size_t, double> areas;
   for (std::size_t p = 0; p < patches.list.size(); ++p) {
-    areas[sheets.find(static_cast<int>(p))] += patches.list[p].area;
+    areas[sheets.find(p)] += patches.list[p].area;
   }
-  std::vector<std::pair<double, int>> order;
+  std::vector<std::pair<double, std::size_t>> order;
   for (auto const& [sheet, area] : areas) {
     order.emplace_back(-area, sheet);
   }

@@ -1,5 +1,6 @@
 #include "Sheets.hpp"
 
+#include "base/DisjointSets.hpp"
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
@@ -7,7 +8,6 @@
 #include <algorithm>
 #include <iostream>
 #include <map>
-#include <numeric>
 #include <tuple>
 
 using asperity::GlobalMesh;
@@ -16,27 +16,6 @@ namespace mesh = asperity::mesh;
 
 namespace
 {
-class Parts // of a set, joined step by step
-{
-public:
-  explicit Parts(std::size_t size) : parent_(size)
-  {
-    std::iota(parent_.begin(), parent_.end(), std::size_t(0));
-  }
-  std::size_t of(std::size_t one)
-  {
-    while (parent_[one] != one) {
-      parent_[one] = parent_[parent_[one]];
-      one = parent_[one];
-    }
-    return one;
-  }
-  void join(std::size_t a, std::size_t b) { parent_[of(a)] = of(b); }
-
-private:
-  std::vector<std::size_t> parent_;
-};
-
 template <int Dim>
 class Division
 {
@@ -131,7 +110,7 @@ private:
       }
       std::vector<std::pair<std::size_t, Point<Dim>>> sectors;
       for (auto const& one : there) {
-        sectors.emplace_back(parts_.of(one.facet), away(ridge, one.tip));
+        sectors.emplace_back(parts_.find(one.facet), away(ridge, one.tip));
       }
       std::sort(sectors.begin(), sectors.end());
       std::vector<std::size_t> meeting;
@@ -170,7 +149,7 @@ private:
   {
     std::map<std::size_t, std::pair<double, std::vector<int>>> found; // with the area
     for (std::size_t f = 0; f < facets_.size(); ++f) {
-      auto& [area, facets] = found[parts_.of(f)];
+      auto& [area, facets] = found[parts_.find(f)];
       std::array<Point<Dim>, Dim> corners;
       std::transform(facets_[f].begin(), facets_[f].end(), corners.begin(),
                      [&](int vertex) { return vertices_[vertex]; });
@@ -191,7 +170,7 @@ private:
 
   std::vector<Point<Dim>> const& vertices_;
   std::vector<Facet> const& facets_;
-  Parts parts_;
+  asperity::DisjointSets parts_;
   std::map<Ridge, std::vector<AtRidge>> facets_at_;
 };
 } // namespace

@@ -17,6 +17,7 @@ enum Kind
   done,
   input_error,
   solve_error,
+  useless_run,
   output_error,
   out_of_memory,
   other_error
@@ -35,6 +36,8 @@ Outcome outcomeOf(std::function<void()> const& work)
     work();
   } catch (InputError const& error) {
     return {input_error, error.what()};
+  } catch (UselessRun const& error) {
+    return {useless_run, error.what()};
   } catch (SolveError const& error) {
     return {solve_error, error.what()};
   } catch (OutputError const& error) {
@@ -54,6 +57,7 @@ Outcome outcomeOf(std::function<void()> const& work)
   switch (kind) {
   case input_error: throw InputError(message);
   case solve_error: throw SolveError(message);
+  case useless_run: throw UselessRun(message);
   case output_error: throw OutputError(message);
   case out_of_memory: throw std::bad_alloc();
   default: throw std::runtime_error(message);

@@ -20,6 +20,7 @@ constexpr int tag = 7310;
 const std::string label_pack = "asperity::base::packGhosts";
 const std::string label_unpack = "asperity::base::unpackGhosts";
 const std::string label_add = "asperity::base::addGhosts";
+const std::string label_largest = "asperity::base::largestOfGhosts";
 
 template <class T>
 using Values = Kokkos::View<T*, MemorySpace>;
@@ -189,6 +190,18 @@ void GhostExchange::share(Kokkos::View<T*, MemorySpace> const& values, int width
   unpack<T>(ghosts_.on_device, buffer.ghosts, width, values);
 }
 
+// The values of the ghosts of this rank's items, in the order of the list of items.
+template <class T>
+Values<T> GhostExchange::bringBack(Kokkos::View<const T*, MemorySpace> const& from, int width) const
+{
+  auto const& buffer = buffers<T>(width);
+  pack<T>(ghosts_.on_device, from, width, buffer.ghosts);
+  Kokkos::deep_copy(buffer.ghosts_on_host, buffer.ghosts);
+  send(ghosts_, buffer.ghosts_on_host.data(), owned_, buffer.owned_on_host.data(), width);
+  Kokkos::deep_copy(buffer.owned, buffer.owned_on_host);
+  return buffer.owned;
+}
+
 template <class T>
 void GhostExchange::gather(Kokkos::View<const T*, MemorySpace> const& from, T factor,
                            Kokkos::View<T*, MemorySpace> const& into, int width) const
@@ -196,18 +209,34 @@ void GhostExchange::gather(Kokkos::View<const T*, MemorySpace> const& from, T fa
   if (owned_.items.empty() && ghosts_.items.empty()) {
     return;
   }
-  auto const& buffer = buffers<T>(width);
-  pack<T>(ghosts_.on_device, from, width, buffer.ghosts);
-  Kokkos::deep_copy(buffer.ghosts_on_host, buffer.ghosts);
-  send(ghosts_, buffer.ghosts_on_host.data(), owned_, buffer.owned_on_host.data(), width);
-  Kokkos::deep_copy(buffer.owned, buffer.owned_on_host);
-  auto const came = buffer.owned;
+  auto const came = bringBack<T>(from, width);
   auto const owners = owners_, first = first_place_, places = places_;
   Kokkos::parallel_for(
     label_add, RangePolicy(0, owners.extent_int(0)), KOKKOS_LAMBDA(int i) {
       for (int place = first(i); place < first(i + 1); ++place) {
         for (int k = 0; k < width; ++k) {
           into(owners(i) * width + k) += factor * came(places(place) * width + k);
+        }
+      }
+    });
+}
+
+template <class T>
+void GhostExchange::gatherLargest(Kokkos::View<const T*, MemorySpace> const& from,
+                                  Kokkos::View<T*, MemorySpace> const& into, int width) const
+{
+  if (owned_.items.empty() && ghosts_.items.empty()) {
+    return;
+  }
+  auto const came = bringBack<T>(from, width);
+  auto const owners = owners_, first = first_place_, places = places_;
+  Kokkos::parallel_for(
+    label_largest, RangePolicy(0, owners.extent_int(0)), KOKKOS_LAMBDA(int i) {
+      for (int place = first(i); place < first(i + 1); ++place) {
+        for (int k = 0; k < width; ++k) {
+          T& largest = into(owners(i) * width + k);
+          const T value = came(places(place) * width + k);
+          largest = value > largest ? value : largest;
         }
       }
     });
@@ -259,4 +288,8 @@ template void GhostExchange::gather(Kokkos::View<const float*, MemorySpace> cons
                                     Kokkos::View<float*, MemorySpace> const&, int) const;
 template void GhostExchange::gather(Kokkos::View<const double*, MemorySpace> const&, double,
                                     Kokkos::View<double*, MemorySpace> const&, int) const;
+template void GhostExchange::gatherLargest(Kokkos::View<const float*, MemorySpace> const&,
+                                           Kokkos::View<float*, MemorySpace> const&, int) const;
+template void GhostExchange::gatherLargest(Kokkos::View<const double*, MemorySpace> const&,
+                                           Kokkos::View<double*, MemorySpace> const&, int) const;
 } // namespace asperity

@@ -45,6 +45,12 @@ public:
   void gather(Kokkos::View<const T*, MemorySpace> const& from, T factor,
               Kokkos::View<T*, MemorySpace> const& into, int width = 1) const;
 
+  // into(owned item) = max(into(owned item), from(ghost)) over the copies of the item; else as
+  // gather.
+  template <class T>
+  void gatherLargest(Kokkos::View<const T*, MemorySpace> const& from,
+                     Kokkos::View<T*, MemorySpace> const& into, int width = 1) const;
+
 private:
   struct Neighbour
   {
@@ -71,6 +77,9 @@ private:
   GhostExchange(RCP<const Communicator> communicator, int num_owned, Side owned, Side ghosts);
   template <class T>
   Buffers<T> const& buffers(int width) const;
+  template <class T>
+  Kokkos::View<T*, MemorySpace> bringBack(Kokkos::View<const T*, MemorySpace> const& from,
+                                          int width) const;
   template <class T>
   void send(Side const& from, T const* sent, Side const& to, T* received, int width) const;
 

@@ -101,12 +101,8 @@ std::string EventCatalogue::report() const
 
 std::vector<double> EventCatalogue::signature() const
 {
-  std::vector<double> numbers{settings_.merging_time, settings_.smallest_width,
-                              settings_.smallest_magnitude};
-  if (!faults_.empty()) { // so that checkpoints of earlier versions are as good
-    numbers.push_back(static_cast<double>(faults_.size()));
-  }
-  return numbers;
+  return {settings_.merging_time, settings_.smallest_width, settings_.smallest_magnitude,
+          static_cast<double>(faults_.size())};
 }
 
 void EventCatalogue::save(Archive& archive) const

@@ -9,12 +9,21 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 namespace asperity::catalogue
 {
 namespace
 {
+using Numbers = std::vector<double>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Numbers numbersOf(Event const& event, std::size_t dimension)
+{
+  Numbers numbers;
+  appendNumbers(event, dimension, numbers);
+  return numbers;
+}
 
 // The part of the time between two samples during which the rate is at least the threshold.
 double seismicFraction(double before, double after, double threshold)
@@ -59,8 +68,8 @@ void FaultEvents::write(io::StepInfo const& step)
   EventFollower::write(step);
   largest_rate_ = std::max(largest_rate_, previous().peak);
   is_seismic_throughout_ = is_seismic_throughout_ && eventInProgress();
-  if (may_merge_ && step.time - last_event_.end >= settings_.merging_time) {
-    recordLast();
+  if (waiting_ && step.time - waiting_->event.end >= settings_.merging_time) {
+    recordWaiting();
   }
   std::swap(before_, now_);
 }
@@ -69,18 +78,19 @@ void FaultEvents::begin(Sample const& now)
 {
   older_sample_ = Sample();
   const double onset = crossingTime(now);
-  if (may_merge_ && onset - last_event_.end < settings_.merging_time) {
-    may_merge_ = false; // the event before goes on
+  if (waiting_ && onset - waiting_->event.end < settings_.merging_time) {
+    waiting_.reset(); // that event goes on
     ++num_events_;
     return;
   }
-  if (may_merge_) {
-    recordLast();
+  if (waiting_) {
+    recordWaiting();
   }
-  current_event_ = Event();
-  current_event_.onset = onset;
+  in_progress_ = EventInProgress();
+  auto& event = in_progress_.event;
+  event.onset = onset;
   ++num_events_;
-  current_event_.number = all_faults_ ? all_faults_->current_event_.number : num_events_;
+  event.number = all_faults_ ? all_faults_->in_progress_.event.number : num_events_;
   // If the very first sample is seismic, the fastest node counts as the first one.
   std::vector<double> lateness(fault().numOwned(), infinity);
   for (std::size_t i = 0; i < lateness.size(); ++i) {
@@ -90,28 +100,28 @@ void FaultEvents::begin(Sample const& now)
     }
   }
   const auto first = firstNode(fault(), lateness);
-  current_event_.nucleation = first.position;
-  current_event_.hypocentre = first.coordinates;
-  energies_at_begin_ = hasPrevious() ? before_.energies : now_.energies;
-  seismic_slip_.assign(fault().numOwned(), 0);
-  ruptured_.assign(fault().numOwned(), 0);
+  event.nucleation = first.position;
+  event.hypocentre = first.coordinates;
+  in_progress_.energies_at_begin = hasPrevious() ? before_.energies : now_.energies;
+  in_progress_.seismic_slip.assign(fault().numOwned(), 0);
+  in_progress_.ruptured.assign(fault().numOwned(), 0);
 }
 
 void FaultEvents::follow(Sample const& now)
 {
-  current_event_.peak_slip_rate =
-    std::max({current_event_.peak_slip_rate, now.peak, peakSince(now)});
+  auto& event = in_progress_.event;
+  event.peak_slip_rate = std::max({event.peak_slip_rate, now.peak, peakSince(now)});
   const std::size_t components = slip_.components;
   for (std::size_t i = 0; i < fault().numOwned(); ++i) {
     if (now.rates[i] >= threshold()) {
-      ruptured_[i] = 1;
+      in_progress_.ruptured[i] = 1;
     }
     if (hasPrevious()) {
       double square = 0;
       for (std::size_t k = i * components; k < (i + 1) * components; ++k) {
         square += (now_.slip[k] - before_.slip[k]) * (now_.slip[k] - before_.slip[k]);
       }
-      seismic_slip_[i] +=
+      in_progress_.seismic_slip[i] +=
         seismicFraction(previous().rates[i], now.rates[i], threshold()) * std::sqrt(square);
     }
   }
@@ -133,22 +143,20 @@ double FaultEvents::peakSince(Sample const& now) const
 
 void FaultEvents::end(Sample const& now)
 {
-  last_event_ = measure(crossingTime(now), true);
-  energies_at_end_ = now_.energies;
-  may_merge_ = true;
+  waiting_ = WaitingEvent{measure(crossingTime(now), true), now_.energies};
 }
 
 Event FaultEvents::measure(double end_time, bool complete) const
 {
   double area = 0, moment = 0;
   for (std::size_t i = 0; i < fault().numOwned(); ++i) {
-    area += ruptured_[i] ? fault().weights[i] : 0;
-    moment += fault().weights[i] * shear_modulus_[i] * seismic_slip_[i];
+    area += in_progress_.ruptured[i] ? fault().weights[i] : 0;
+    moment += fault().weights[i] * shear_modulus_[i] * in_progress_.seismic_slip[i];
   }
   auto const& comm = *fault().comm;
-  Event event = current_event_;
+  Event event = in_progress_.event;
   event.end = end_time;
-  event.peak_slip = maxOverRanks(largest(seismic_slip_), comm);
+  event.peak_slip = maxOverRanks(largest(in_progress_.seismic_slip), comm);
   event.moment = sumOverRanks(moment, comm);
   event.complete = complete;
   if (plane_) {
@@ -166,7 +174,7 @@ double FaultEvents::extent(Coordinate const& coordinate) const
 {
   double first = infinity, last = -infinity;
   for (std::size_t i = 0; i < fault().numOwned(); ++i) {
-    if (ruptured_[i]) {
+    if (in_progress_.ruptured[i]) {
       first = std::min(first, coordinate(i));
       last = std::max(last, coordinate(i));
     }
@@ -182,15 +190,16 @@ bool FaultEvents::isSmall(Event const& event) const
           event.magnitude() < settings_.smallest_magnitude);
 }
 
-void FaultEvents::recordLast()
+void FaultEvents::recordWaiting()
 {
-  may_merge_ = false;
-  if (isSmall(last_event_)) {
+  auto const [event, energies_at_end] = *std::exchange(waiting_, std::nullopt);
+  if (isSmall(event)) {
     ++num_small_;
     return;
   }
-  events_.push_back(last_event_);
-  file_.writeRow(eventRow(last_event_) + energies_.columns(energies_at_begin_, energies_at_end_));
+  events_.push_back(event);
+  file_.writeRow(eventRow(event) +
+                 energies_.columns(in_progress_.energies_at_begin, energies_at_end));
   file_.flush(); // events are rare, and users wait for them
 }
 
@@ -199,27 +208,24 @@ void FaultEvents::closeSegment(int) { file_.flush(); }
 void FaultEvents::finish()
 {
   if (eventInProgress()) {
-    last_event_ = measure(previous().time, false);
-    energies_at_end_ = before_.energies;
-    may_merge_ = true;
+    waiting_ = WaitingEvent{measure(previous().time, false), before_.energies};
     stop();
   }
-  if (may_merge_) {
-    recordLast();
+  if (waiting_) {
+    recordWaiting();
   }
   file_.flush();
 }
 
 std::optional<std::int64_t> FaultEvents::numEvents() const
 {
-  const bool one_more = eventInProgress() || may_merge_;
+  const bool one_more = eventInProgress() || waiting_;
   return static_cast<std::int64_t>(events_.size()) + one_more;
 }
 
 std::string FaultEvents::thresholdRemark() const
 {
-  std::string const& entry =
-    " 'Event Catalogue / Threshold' = " + formatShort(threshold()) + " m/s";
+  const std::string entry = " 'Event Catalogue / Threshold' = " + formatShort(threshold()) + " m/s";
   if (num_events_ == 0 && largest_rate_ > 0) {
     return "No event: the largest slip rate, " + formatShort(largest_rate_) + " m/s, is below" +
            entry + ".\n";
@@ -231,39 +237,65 @@ std::string FaultEvents::thresholdRemark() const
   return "";
 }
 
+Archive FaultEvents::EventInProgress::save(io::OutputDomain const& fault) const
+{
+  Archive archive;
+  archive.set("event", numbersOf(event, fault.dimension));
+  archive.set("energies_at_begin", energies_at_begin);
+  archive.setAtNodes("seismic_slip", seismic_slip, fault.name);
+  archive.setAtNodes("ruptured", ruptured, fault.name);
+  return archive;
+}
+
+void FaultEvents::EventInProgress::restore(Archive const& archive, std::size_t dimension)
+{
+  event = eventFrom(archive.get<Numbers>("event").data(), dimension);
+  energies_at_begin = archive.get<Numbers>("energies_at_begin");
+  seismic_slip = archive.get<Numbers>("seismic_slip");
+  ruptured = archive.get<std::vector<std::int64_t>>("ruptured");
+}
+
+Archive FaultEvents::WaitingEvent::save(io::OutputDomain const& fault) const
+{
+  Archive archive;
+  archive.set("event", numbersOf(event, fault.dimension));
+  archive.set("energies_at_end", energies_at_end);
+  return archive;
+}
+
+void FaultEvents::WaitingEvent::restore(Archive const& archive, std::size_t dimension)
+{
+  event = eventFrom(archive.get<Numbers>("event").data(), dimension);
+  energies_at_end = archive.get<Numbers>("energies_at_end");
+}
+
 void FaultEvents::save(Archive& archive) const
 {
   Archive follower;
   EventFollower::save(follower);
   archive.insert("follower", follower);
   archive.insert("file", file_);
-  std::vector<double> numbers, open, last;
+  Numbers numbers;
   for (auto const& event : events_) {
     appendNumbers(event, fault().dimension, numbers);
   }
-  appendNumbers(current_event_, fault().dimension, open);
-  appendNumbers(last_event_, fault().dimension, last);
+  archive.set("events", numbers);
   archive.set("num_events", num_events_);
   archive.set("num_small", num_small_);
-  archive.set("last_event", last);
-  archive.set("last_waits", may_merge_);
   archive.set("largest_rate", largest_rate_);
-  archive.set("seismic_throughout", is_seismic_throughout_);
-  archive.set("energies_at_end", energies_at_end_);
-  archive.set("events", numbers);
-  archive.set("open_event", open);
-  archive.setAtNodes("seismic_slip", seismic_slip_, fault().name);
-  archive.setAtNodes("ruptured", ruptured_, fault().name);
-  archive.set("energies_at_begin", energies_at_begin_);
-  archive.set("earlier/time", older_sample_.time);
-  archive.setAtNodes("earlier/rates", older_sample_.rates, fault().name);
+  archive.set("is_seismic_throughout", is_seismic_throughout_);
+  archive.insert("in_progress", in_progress_.save(fault()));
+  if (waiting_) {
+    archive.insert("waiting", waiting_->save(fault()));
+  }
+  archive.set("older_sample/time", older_sample_.time);
+  archive.setAtNodes("older_sample/rates", older_sample_.rates, fault().name);
   archive.setAtNodes("before/slip", before_.slip, fault().name);
   archive.set("before/energies", before_.energies);
 }
 
 void FaultEvents::restore(Archive const& archive)
 {
-  using Numbers = std::vector<double>;
   EventFollower::restore(archive.child("follower"));
   file_.restore(archive.child("file"));
   const std::size_t dimension = fault().dimension;
@@ -272,22 +304,18 @@ void FaultEvents::restore(Archive const& archive)
   for (std::size_t i = 0; i < numbers.size(); i += numbersOfEvent(dimension)) {
     events_.push_back(eventFrom(&numbers[i], dimension));
   }
-  current_event_ = eventFrom(archive.get<Numbers>("open_event").data(), dimension);
-  last_event_ = eventFrom(archive.get<Numbers>("last_event").data(), dimension);
   num_events_ = archive.getInteger("num_events");
   num_small_ = archive.getInteger("num_small");
-  may_merge_ = archive.getInteger("last_waits") != 0;
-  const bool knows_rates = archive.has("largest_rate"); // not of versions before: no sentence then
-  largest_rate_ = knows_rates ? archive.getDouble("largest_rate") : 0;
-  is_seismic_throughout_ = knows_rates && archive.getInteger("seismic_throughout") != 0;
-  energies_at_end_ = archive.get<Numbers>("energies_at_end");
-  seismic_slip_ = archive.get<Numbers>("seismic_slip");
-  ruptured_ = archive.get<std::vector<std::int64_t>>("ruptured");
-  energies_at_begin_ = archive.get<Numbers>("energies_at_begin");
-  older_sample_.time = archive.getDouble("earlier/time");
-  older_sample_.rates = archive.get<Numbers>("earlier/rates");
+  largest_rate_ = archive.getDouble("largest_rate");
+  is_seismic_throughout_ = archive.getInteger("is_seismic_throughout") != 0;
+  in_progress_.restore(archive.child("in_progress"), dimension);
+  waiting_.reset();
+  if (archive.has("waiting/event")) {
+    waiting_.emplace().restore(archive.child("waiting"), dimension);
+  }
+  older_sample_.time = archive.getDouble("older_sample/time");
+  older_sample_.rates = archive.get<Numbers>("older_sample/rates");
   before_.slip = archive.get<Numbers>("before/slip");
   before_.energies = archive.get<Numbers>("before/energies");
 }
-
 } // namespace asperity::catalogue

@@ -52,12 +52,34 @@ private:
     std::vector<double> energies;
   };
 
+  // The event in progress; after its end it stays, since the event may go on within the merging
+  // time.
+  struct EventInProgress
+  {
+    Event event; // onset, first node and number; peak rate so far
+    std::vector<double> energies_at_begin;
+    std::vector<double> seismic_slip;   // (num_owned) [m]
+    std::vector<std::int64_t> ruptured; // (num_owned) 1 where the node reached the threshold
+
+    Archive save(io::OutputDomain const& fault) const;
+    void restore(Archive const& archive, std::size_t dimension);
+  };
+  // An event that has ended and waits for its row: the next one may be a part of it.
+  struct WaitingEvent
+  {
+    Event event;
+    std::vector<double> energies_at_end;
+
+    Archive save(io::OutputDomain const& fault) const;
+    void restore(Archive const& archive, std::size_t dimension);
+  };
+
   Event measure(double end_time, bool complete) const;
   template <class Coordinate>
   double extent(Coordinate const& coordinate) const; // of the nodes that have ruptured
   double const* place(std::size_t i) const { return &fault().coordinates[3 * i]; }
   bool isSmall(Event const& event) const;
-  void recordLast();                         // when no further event can be part of it
+  void recordWaiting();                      // when no further event can be part of it
   double peakSince(Sample const& now) const; // [m/s] around the previous sample, of all nodes
 
   EventSettings settings_;
@@ -74,12 +96,8 @@ private:
   bool is_seismic_throughout_ = true;
 
   SlipAndEnergies now_, before_;
-  Event current_event_; // onset, first node and peak rate of the event in progress
   Sample older_sample_; // the one before the previous one; no rates in the first step of an event
-  Event last_event_;    // the one that ended last,
-  bool may_merge_ = false; // while another one may become part of it
-  std::vector<double> energies_at_begin_, energies_at_end_;
-  std::vector<double> seismic_slip_;   // (num_owned) [m]
-  std::vector<std::int64_t> ruptured_; // (num_owned) 1 where the node reached the threshold
+  EventInProgress in_progress_;
+  std::optional<WaitingEvent> waiting_;
 };
 } // namespace asperity::catalogue

@@ -68,7 +68,7 @@ void requireNumbers(std::string const& name, std::vector<double> const& numbers,
 
 fem::CoulombPlane inSpace(ParameterList const& output, std::vector<double> const& numbers)
 {
-  auto const up = io::DirectionUp::from(output).required();
+  auto const up = io::DirectionUp::from(output).orDefault();
   auto const east = eastOf(output);
   const double along = up[0] * east[0] + up[1] * east[1] + up[2] * east[2];
   const double sizes = std::hypot(up[0], up[1], up[2]) * std::hypot(east[0], east[1], east[2]);

@@ -22,8 +22,8 @@ constexpr Bounds shear_moduli = {300, 1e12};
 constexpr Bounds shear_speeds = {0.3, 22e3};
 // The slowest sediments, clay and silt at the sea floor, have 10 m/s (Osler and Chapman 1996) and
 // more than 1300 kg/m^3; gels have 1100 kg/m^3. A material that is denser than gels and slower than
-// 5 m/s is neither: rock whose modulus is given in MPa has 3 m/s. The bound of 5 m/s was chosen
-// between these two known speeds.
+// 5 m/s is neither: rock whose modulus is given in MPa has 3 m/s. So
+// the bound lies between these two speeds.
 constexpr double density_of_sediment = 1300;
 constexpr double speed_of_sediment = 5;
 // Normal stress over shear modulus: from 3e-6 on creeping faults with nearly lithostatic pore

@@ -51,12 +51,12 @@ std::string PrescribedSteps::meaning() { return "the sizes are listed."; }
 
 PrescribedSteps::PrescribedSteps(Teuchos::ParameterList const& parameters,
                                  ControlContext const& context)
-    : PrescribedSteps(context.step, levelsOf(parameters, context))
+    : PrescribedSteps(context, levelsOf(parameters, context))
 {
 }
 
-PrescribedSteps::PrescribedSteps(CoupledStep& step, std::vector<int> levels)
-    : StepControl(step)
+PrescribedSteps::PrescribedSteps(ControlContext const& context, std::vector<int> levels)
+    : StepControl(context)
     , levels_(std::move(levels))
 {
   ASPERITY_ASSERT(!levels_.empty());

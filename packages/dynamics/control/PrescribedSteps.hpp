@@ -14,7 +14,7 @@ public:
   static std::string meaning();
   static std::vector<int> levelsIn(Teuchos::ParameterList const& parameters); // of a complete list
 
-  PrescribedSteps(CoupledStep& step, std::vector<int> levels);
+  PrescribedSteps(ControlContext const& context, std::vector<int> levels);
   // Throws InputError where a level is below the smallest step.
   PrescribedSteps(Teuchos::ParameterList const& parameters, ControlContext const& context);
   AcceptedStep advance(State& current, SolveCount& count) override;

@@ -65,16 +65,17 @@ std::string RichardsonControl::meaning()
 
 RichardsonControl::RichardsonControl(Teuchos::ParameterList const& parameters,
                                      ControlContext const& context)
-    : RichardsonControl(context.step, context.order, settingsOf(parameters, context))
+    : RichardsonControl(context, settingsOf(parameters, context))
 {
 }
 
-RichardsonControl::RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings)
-    : StepControl(step)
+RichardsonControl::RichardsonControl(ControlContext const& context,
+                                     AdaptiveSettings const& settings)
+    : StepControl(context)
     , settings_(settings)
-    , extrapolation_(std::ldexp(1., order) - 1)
-    , error_ratio_(std::ldexp(1., order + 1))
-    , waves_(step.body(), step.surface(), step.update(), settings.waves)
+    , extrapolation_(std::ldexp(1., context.order) - 1)
+    , error_ratio_(std::ldexp(1., context.order + 1))
+    , waves_(context.step.body(), context.step.surface(), context.step.update(), settings.waves)
 {
   // A pair is compared with a step of twice the size.
   ASPERITY_ASSERT(settings.finest_level > settings.coarsest_level);

@@ -27,8 +27,7 @@ public:
 
   // Throws InputError where no step is twice as large as another.
   RichardsonControl(Teuchos::ParameterList const& parameters, ControlContext const& context);
-  // `order` of the scheme, p.
-  RichardsonControl(CoupledStep& step, int order, AdaptiveSettings const& settings);
+  RichardsonControl(ControlContext const& context, AdaptiveSettings const& settings);
   AcceptedStep advance(State& current, SolveCount& count) override;
   void save(Archive& archive, StateArchive const& states) const override;
   void restore(Archive const& archive, StateArchive const& states) override;

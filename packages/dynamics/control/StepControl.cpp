@@ -47,7 +47,15 @@ State blend(Guess const& guess)
   return result;
 }
 
-StepControl::StepControl(CoupledStep& step) : step_(step) {}
+StepControl::StepControl(ControlContext const& context)
+    : step_(context.step)
+    , instants_(context.instants)
+    , place_of_(context.place_of)
+    , start_(context.displacement)
+{
+  memory_.largest_displacement = context.least_displacement;
+  memory_.largest_velocity = context.least_velocity;
+}
 
 namespace
 {
@@ -229,10 +237,8 @@ void StepControl::restore(Archive const& archive, StateArchive const& states)
   memory_.level = static_cast<int>(archive.getInteger("level"));
   memory_.level_after = static_cast<int>(archive.getInteger("level_after"));
   memory_.num_steps = archive.getInteger("num_steps");
-  if (archive.has("largest_displacement")) { // earlier versions have neither
-    memory_.largest_displacement = archive.getDouble("largest_displacement");
-    memory_.largest_velocity = archive.getDouble("largest_velocity");
-  }
+  memory_.largest_displacement = archive.getDouble("largest_displacement");
+  memory_.largest_velocity = archive.getDouble("largest_velocity");
   memory_.trial.reset();
   if (archive.has("trial/iterations")) {
     memory_.trial = Trial{states.load(archive, "trial/state"),

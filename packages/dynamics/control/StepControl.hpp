@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dynamics/StateArchive.hpp"
+#include "dynamics/control/ControlContext.hpp"
 #include "dynamics/control/NotFinite.hpp"
-#include "dynamics/coupling/CoupledStep.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 
 #include <functional>
@@ -57,7 +57,7 @@ struct ControlMemory
   static constexpr int none = -1;
   int level_after = none;
   // The largest displacement since the start [m] and velocity [m/s] anywhere in the body so far, at
-  // least those of setStart, on which errors are measured where the whole body is compared.
+  // least those of ControlContext, on which errors are measured where the whole body is compared.
   double largest_displacement = 0, largest_velocity = 0;
 };
 
@@ -69,20 +69,7 @@ struct ControlMemory
 class StepControl
 {
 public:
-  explicit StepControl(CoupledStep& step);
-  // The instants in ticks, ascending.
-  void setInstants(std::vector<DyadicTime::Ticks> instants) { instants_ = std::move(instants); }
-  // Sets what messages say about the place of a local vertex, "node 17, (0, 1)"; else nothing.
-  using PlaceOf = std::function<std::string(int)>;
-  void setPlaces(PlaceOf place_of) { place_of_ = std::move(place_of); }
-  // Sets the displacement of the start of the run, else it is zero; and the motion [m, m/s] below
-  // which no error matters (see distance).
-  void setStart(RCP<const Vector> displacement, double least_displacement, double least_velocity)
-  {
-    start_ = std::move(displacement);
-    memory_.largest_displacement = least_displacement;
-    memory_.largest_velocity = least_velocity;
-  }
+  explicit StepControl(ControlContext const& context);
   virtual ~StepControl() = default;
   // Replaces `current` by the state after the next accepted step.
   virtual AcceptedStep advance(State& current, SolveCount& count) = 0;
@@ -147,8 +134,8 @@ private:
 
   CoupledStep& step_;
   std::vector<DyadicTime::Ticks> instants_;
-  PlaceOf place_of_;
-  RCP<const Vector> start_; // null: zero
+  std::function<std::string(int)> place_of_; // may be empty
+  RCP<const Vector> start_;                  // null: zero
   StepStatus last_status_ = StepStatus::solved;
   std::optional<NotFinite> not_finite_; // on this rank, in the last attempt that failed
 };

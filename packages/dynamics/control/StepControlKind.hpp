@@ -3,19 +3,8 @@
 #include "dynamics/control/StepControl.hpp"
 #include "parameters/Kind.hpp"
 
-#include <string>
-
 namespace asperity::dynamics
 {
-// What a control works with in addition to its parameters.
-struct ControlContext
-{
-  CoupledStep& step;
-  int order;        // of convergence of the scheme
-  std::string path; // of the deck's list `Time Stepping`, for messages
-  double wave_rate; // WaveScale::slip_rate
-};
-
 // Registered under the name of its list in the deck's list `Time Stepping`, at the bottom of the
 // file of the control:
 //   ASPERITY_REGISTER(StepControlRegistry, "Step Doubling", StepControlKindOf<StepDoubling>)

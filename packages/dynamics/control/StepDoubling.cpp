@@ -36,14 +36,14 @@ std::string StepDoubling::meaning()
 }
 
 StepDoubling::StepDoubling(Teuchos::ParameterList const& parameters, ControlContext const& context)
-    : StepDoubling(context.step, doublingSettings(parameters, context))
+    : StepDoubling(context, doublingSettings(parameters, context))
 {
 }
 
-StepDoubling::StepDoubling(CoupledStep& step, AdaptiveSettings const& settings)
-    : StepControl(step)
+StepDoubling::StepDoubling(ControlContext const& context, AdaptiveSettings const& settings)
+    : StepControl(context)
     , settings_(settings)
-    , waves_(step.body(), step.surface(), step.update(), settings.waves)
+    , waves_(context.step.body(), context.step.surface(), context.step.update(), settings.waves)
 {
   memory_.level = settings.first_level;
 }

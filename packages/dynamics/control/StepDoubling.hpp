@@ -14,7 +14,7 @@ public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning();
 
-  StepDoubling(CoupledStep& step, AdaptiveSettings const& settings);
+  StepDoubling(ControlContext const& context, AdaptiveSettings const& settings);
   StepDoubling(Teuchos::ParameterList const& parameters, ControlContext const& context);
   AcceptedStep advance(State& current, SolveCount& count) override;
 

@@ -1,7 +1,5 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 
-#include "parameters/Entries.hpp"
-
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/program/WorkTimers.hpp"
@@ -9,12 +7,10 @@
 #include "dynamics/coupling/NormalStressUpdate.hpp"
 #include "dynamics/coupling/StateUpdate.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
-#include "parameters/Parameters.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace asperity::dynamics
@@ -32,77 +28,7 @@ void meanVelocity(ConstBlockView const& offset, double weight, BlockView const& 
       }
     });
 }
-
-Entries<CouplingSettings> couplingEntries()
-{
-  CouplingSettings defaults;
-  defaults.tolerance = 0; // follows from the step control
-  return Entries<CouplingSettings>(defaults)
-    .real("Tolerance", &CouplingSettings::tolerance, "-", Range::closedOpen(0, 1),
-          "The fixed-point iteration of rate and state ends when alpha changes by at most this "
-          "between two iterates, in the norm chosen. 0 means a thousandth of the Tolerance of the "
-          "step control, but at most 1e-5, which also holds for prescribed steps.")
-    .choice("Norm", &CouplingSettings::norm, normWords(),
-            "Selects how that change is measured over the fault. Maximum also responds to a "
-            "nucleation much smaller than the fault, which has little weight in a mean.")
-    .integer("Maximum Iterations", &CouplingSettings::max_iterations, Range::atLeast(1),
-             "A step is rejected after this number of fixed-point iterations. The step control "
-             "then halves it; a run with prescribed steps ends.")
-    .integer("Anderson Depth", &CouplingSettings::anderson_depth, Range::atLeast(0),
-             "Anderson acceleration extrapolates the next iterate from this number of earlier "
-             "ones; 0 means the plain fixed-point iteration.");
-}
 } // namespace
-
-Teuchos::RCP<const Teuchos::ParameterList> CouplingSettings::validParameters()
-{
-  return couplingEntries().list();
-}
-
-CouplingSettings CouplingSettings::from(Teuchos::ParameterList const& parameters,
-                                        double step_tolerance)
-{
-  constexpr double share_of_steps = 1e-3;
-  auto settings = couplingEntries().read(parameters, "Asperity / Coupling");
-  if (settings.tolerance == 0) {
-    settings.tolerance = CouplingSettings().tolerance;
-    if (step_tolerance > 0) {
-      settings.tolerance = std::min(settings.tolerance, share_of_steps * step_tolerance);
-    }
-  }
-  return settings;
-}
-void SolveCount::add(tnnmg::TnnmgResult const& result)
-{
-  tnnmg_iterations += result.iterations;
-  corrections += result.corrections;
-  correction_iterations += result.correction_iterations;
-  v_cycles += result.v_cycles;
-  energy_increases += result.energy_increases;
-}
-
-SolveCount SolveCount::since(SolveCount const& before) const
-{
-  SolveCount result;
-  for (auto const& member : members()) {
-    result.*member.value = this->*member.value - before.*member.value;
-  }
-  return result;
-}
-
-std::array<SolveCount::Member, 8> const& SolveCount::members()
-{
-  static constexpr std::array<Member, 8> all = {
-    {{"coupled_steps", &SolveCount::coupled_steps},
-     {"rate_problems", &SolveCount::rate_problems},
-     {"tnnmg_iterations", &SolveCount::tnnmg_iterations},
-     {"corrections", &SolveCount::corrections},
-     {"correction_iterations", &SolveCount::correction_iterations},
-     {"v_cycles", &SolveCount::v_cycles},
-     {"rises", &SolveCount::energy_increases},
-     {"failures", &SolveCount::failures}}};
-  return all;
-}
 
 StepUnknownList CoupledStep::unknownsOf(Body const& body, Fault const& fault,
                                         ReactionSinceStart const& since_start)
@@ -147,16 +73,17 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, RateUpdate const&
     , prescribed_(body.vector())
     , u_hat_(body.vector())
     , a_hat_(body.vector())
-    , work_u_(body.vector())
-    , work_a_(body.vector())
-    , w_(body.vector())
-    , work_v_(body.vector())
-    , work_d_(body.branchVectors())
     , mean_offset_("asperity::dynamics::meanOffset", surface().numNodes(), surface().numTangents())
-    , mean_("asperity::dynamics::meanVelocity", surface().numNodes(), surface().numTangents())
     , prescribed_part_("asperity::dynamics::prescribedBeside", surface().numNodes(),
                        surface().numTangents())
-    , V_("asperity::dynamics::V", surface().numNodes())
+    , work_{body.vector(),
+            body.vector(),
+            body.vector(),
+            body.vector(),
+            body.branchVectors(),
+            BlockView("asperity::dynamics::meanVelocity", surface().numNodes(),
+                      surface().numTangents()),
+            NodeView("asperity::dynamics::V", surface().numNodes())}
 {
 }
 
@@ -183,9 +110,9 @@ void CoupledStep::rightSide(State const& from, double tau, State const& to)
 {
   ASPERITY_TIME_WORK("right sides of steps");
   update_.predict(from, tau, *u_hat_, *a_hat_);
-  update_.withVelocity(*prescribed_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
-  RateUpdate::relax(body_.matrices, from, tau, *work_u_, work_d_);
-  body_.computeForces({*work_u_, *prescribed_, *work_a_, work_d_}, forces_);
+  update_.withVelocity(*prescribed_, *u_hat_, *a_hat_, tau, *work_.u, *work_.a);
+  RateUpdate::relax(body_.matrices, from, tau, *work_.u, work_.d);
+  body_.computeForces({*work_.u, *prescribed_, *work_.a, work_.d}, forces_);
   forces_.subtractFrom(*b_);
   if (!b_without_unknowns_.is_null()) {
     Tpetra::deep_copy(*b_without_unknowns_, *b_);
@@ -223,32 +150,39 @@ CoupledResult CoupledStep::solveAtFault(State const& from, int level, State& to,
   beginUnknowns(from, tau, to);
   rightSide(from, tau, to);
 
-  w_->update(1, *to.v, -1, *prescribed_, 0);
-  body_.clearHeld(*w_);
-  auto& solver = solvers_.at(level);
-  solver.begin(*b_, *w_);
-  update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_u_);
-  gatherSlip(surface(), *work_u_, mean_offset_);
+  setMeanOffset(from, tau);
 
-  auto result = iterate(from, tau, solver, to, count);
+  Vector& w = *work_.w; // v - v_D, first of the guess
+  w.update(1, *to.v, -1, *prescribed_, 0);
+  body_.clearHeld(w);
+  auto& solver = solvers_.at(level);
+  solver.begin(*b_, w);
+  auto result = iterate(from, tau, solver, w, to, count);
   ++count.coupled_steps;
   if (!result.solved()) {
     ++count.failures;
     return result;
   }
-  solver.knownVelocity(*w_);
-  to.v->update(1, *w_, 1, *prescribed_, 0);
+  solver.knownVelocity(w);
+  to.v->update(1, w, 1, *prescribed_, 0);
   result.rest = PendingStep{level, num_begun_};
   return result;
 }
 
-// mean_ has the velocity at the beginning until the first rate problem is solved.
+// The part of the mean velocity that follows from the past and from prescribed velocities.
+void CoupledStep::setMeanOffset(State const& from, double tau)
+{
+  update_.meanVelocity(from, tau, *prescribed_, surface().dofs(), *work_.u);
+  gatherSlip(surface(), *work_.u, mean_offset_);
+}
+
 void CoupledStep::beginUnknowns(State const& from, double tau, State const& to)
 {
-  gatherSlip(surface(), *from.v, mean_);
+  BlockView const& velocity = work_.mean;
+  gatherSlip(surface(), *from.v, velocity);
   const FrictionProblem friction = {fault_.friction(),
                                     {from.alpha_of_rate, given_.at(from).sigma_n}};
-  unknowns_.begin({from, clock_.seconds(from.time), tau, mean_, friction, to});
+  unknowns_.begin({from, clock_.seconds(from.time), tau, velocity, friction, to});
 }
 
 void CoupledStep::complete(PendingStep const& step, State const& from, State& to)
@@ -264,70 +198,98 @@ void CoupledStep::complete(PendingStep const& step, State const& from, State& to
   unknowns_.complete(from, tau, to);
 }
 
-// |c (u1 - u0)_t / tau + Vp| at the fault nodes.
-void CoupledStep::meanSlipRate(RateSolver& solver)
+// mean: w of gatherSlip, mean over the step. V = |chi (u1 - u0)_t / tau + Vp| at the fault nodes.
+void CoupledStep::meanSlipRate(RateSolver const& solver, BlockView const& mean,
+                               NodeView const& V) const
 {
   ASPERITY_TIME_WORK("state updates");
-  solver.faultVelocity(mean_);
-  meanVelocity(mean_offset_, update_.stiffness_weight, mean_);
-  slipRate(surface(), mean_, V_);
+  solver.faultVelocity(mean);
+  meanVelocity(mean_offset_, update_.stiffness_weight, mean);
+  slipRate(surface(), mean, V);
 }
 
-// At the end of the step, from the velocity of the body, with which it leaves w_.
-Vector const& CoupledStep::displacement(RateSolver const& solver, double tau)
+// u at the end of the step from w = v1 - v_D of the whole body.
+void CoupledStep::displacementAtEnd(Vector const& w, double tau, Vector& u) const
 {
-  solver.velocity(*w_);
-  work_v_->update(1, *w_, 1, *prescribed_, 0);
-  update_.withVelocity(*work_v_, *u_hat_, *a_hat_, tau, *work_u_, *work_a_);
-  return *work_u_;
+  work_.v->update(1, w, 1, *prescribed_, 0);
+  update_.withVelocity(*work_.v, *u_hat_, *a_hat_, tau, u, *work_.a);
+}
+
+// friction: of the whole slip rate; the rate problem has that of w alone.
+tnnmg::TnnmgResult CoupledStep::workOn(Effort effort, FrictionProblem const& friction,
+                                       RateSolver& solver) const
+{
+  FrictionProblem const problem =
+    has_prescribed_part_ ? friction.withPrescribed(prescribed_part_) : friction;
+  return effort == Effort::solution ? solver.solve(problem) : solver.improve(problem);
+}
+
+// Works on the rate problem with the iterates in `to`, and computes the images that follow. Sets w
+// where images follow from the whole body.
+CoupledStep::Response CoupledStep::respond(Effort effort, State const& from, double tau,
+                                           RateSolver& solver, Vector& w, State& to,
+                                           SolveCount& count)
+{
+  auto const given = given_.at(to);
+  const FrictionProblem friction = {fault_.friction(), given};
+  auto const rate = workOn(effort, friction, solver);
+  count.add(rate);
+  Response response;
+  response.rate_converged = rate.converged;
+  response.alpha = given.alpha;
+  if (rate.failed() || (effort == Effort::solution && !rate.converged)) {
+    response.status = StepStatus::rate_problem_failed;
+    return response;
+  }
+  meanSlipRate(solver, work_.mean, work_.V);
+  StepIterate now = {from, tau, work_.mean, work_.V, solver, friction, to};
+  response.change = unknowns_.updateImages(FollowsFrom::fault, now, settings_.norm);
+  if (unknowns_.bodyIsDue(response.change, rate.converged, settings_.tolerance)) {
+    solver.velocity(w);
+    response.has_velocity = true;
+    displacementAtEnd(w, tau, *work_.u);
+    now.u_in_body = work_.u.get();
+    const double in_body = unknowns_.updateImages(FollowsFrom::body, now, settings_.norm);
+    response.change = in_body <= response.change ? response.change : in_body; // which may be nan
+  }
+  if (!std::isfinite(response.change)) {
+    unknowns_.copyImages(to); // a value that is not finite can be found there
+    response.status = StepStatus::state_failed;
+  }
+  return response;
 }
 
 // Alternates one iteration of TNNMG and one update of the unknowns: both reduce the error by
 // similar factors, and more iterations for unknowns that still change would be wasted. When they
-// have converged, the rate problem is solved with them.
-CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, State& to,
-                                   SolveCount& count)
+// have converged, the rate problem is solved with them. On entry w has the guess with which the
+// solver began, on return the last velocity of the whole body that was computed.
+CoupledResult CoupledStep::iterate(State const& from, double tau, RateSolver& solver, Vector& w,
+                                   State& to, SolveCount& count)
 {
   CoupledResult result;
-  bool converged = false;
-  while (converged || result.iterations < settings_.max_iterations) {
-    auto const given = given_.at(to);
-    const FrictionProblem friction = {fault_.friction(), given}; // of the whole slip rate
-    FrictionProblem const problem =
-      has_prescribed_part_ ? friction.withPrescribed(prescribed_part_) : friction; // of w
-    result.iterations += converged ? 0 : 1;
-    count.rate_problems += converged ? 0 : 1;
-    auto const rate = converged ? solver.solve(problem) : solver.improve(problem);
-    count.add(rate);
-    if (rate.failed() || (converged && !rate.converged)) {
-      result.status = StepStatus::rate_problem_failed;
+  while (result.iterations < settings_.max_iterations) {
+    ++result.iterations;
+    ++count.rate_problems;
+    auto response = respond(Effort::one_iteration, from, tau, solver, w, to, count);
+    if (response.status == StepStatus::solved && response.change <= settings_.tolerance &&
+        !response.rate_converged) {
+      response = respond(Effort::solution, from, tau, solver, w, to, count);
+    }
+    if (response.status != StepStatus::solved) {
+      result.status = response.status;
       return result;
     }
-    meanSlipRate(solver);
-    StepIterate now = {from, tau, mean_, V_, solver, friction, to};
-    double change = unknowns_.updateImages(FollowsFrom::fault, now, settings_.norm);
-    if (unknowns_.bodyIsDue(change, rate.converged, settings_.tolerance)) {
-      now.u_in_body = &displacement(solver, tau);
-      const double in_body = unknowns_.updateImages(FollowsFrom::body, now, settings_.norm);
-      change = in_body <= change ? change : in_body; // which may be nan
-    }
-    if (!std::isfinite(change)) {
-      unknowns_.copyImages(to); // a value that is not finite can be found there
-      result.status = StepStatus::state_failed;
-      return result;
-    }
-    converged = change <= settings_.tolerance;
-    if (converged && rate.converged) {
-      Kokkos::deep_copy(to.alpha_of_rate, given.alpha);
+    if (response.change <= settings_.tolerance) {
+      Kokkos::deep_copy(to.alpha_of_rate, response.alpha);
       unknowns_.finish(to);
       return result;
     }
-    if (!converged && unknowns_.advance(to)) {
+    if (unknowns_.advance(to)) {
       setRightSide(to);
-      if (now.u_in_body == nullptr) { // else displacement() has left it in w_
-        solver.velocity(*w_);
+      if (!response.has_velocity) {
+        solver.velocity(w);
       }
-      solver.begin(*b_, *w_);
+      solver.begin(*b_, w);
     }
   }
   result.status = StepStatus::fixed_point_failed;

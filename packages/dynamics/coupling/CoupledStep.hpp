@@ -2,51 +2,16 @@
 
 #include "dynamics/Body.hpp"
 #include "dynamics/State.hpp"
+#include "dynamics/coupling/CouplingSettings.hpp"
+#include "dynamics/coupling/SolveCount.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
 #include "dynamics/coupling/StepUnknowns.hpp"
 #include "dynamics/fault/Fault.hpp"
 
-#include <array>
 #include <optional>
 
 namespace asperity::dynamics
 {
-struct CouplingSettings
-{
-  double tolerance = 1e-5; // of alpha between two iterates
-  Norm norm = Norm::root_mean_square;
-  int max_iterations = 100;
-  int anderson_depth = 2;
-
-  static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
-  // step_tolerance: of the step control, from which the default follows; 0 if it has none.
-  static CouplingSettings from(Teuchos::ParameterList const& parameters, double step_tolerance);
-};
-
-// The cost of solving, summed over any number of steps.
-struct SolveCount
-{
-  std::int64_t coupled_steps = 0;
-  std::int64_t rate_problems = 0; // one for each fixed point iteration
-  std::int64_t tnnmg_iterations = 0;
-  std::int64_t corrections = 0;
-  std::int64_t correction_iterations = 0;
-  std::int64_t v_cycles = 0;
-  std::int64_t energy_increases = 0; // of J, see Tnnmg
-  std::int64_t failures = 0;         // coupled steps without a solution
-
-  void add(tnnmg::TnnmgResult const& result);
-  SolveCount since(SolveCount const& before) const;
-
-  struct Member
-  {
-    char const* name;
-    std::int64_t SolveCount::*value;
-  };
-  // All counts with their names, to read, write or compare them one by one.
-  static std::array<Member, 8> const& members();
-};
-
 enum class StepStatus
 {
   solved,
@@ -134,14 +99,34 @@ public:
   }
 
 private:
+  // How far a rate problem is solved before the unknowns respond to it.
+  enum class Effort
+  {
+    one_iteration, // of TNNMG
+    solution       // to its own tolerance
+  };
+  struct Response
+  {
+    StepStatus status = StepStatus::solved;
+    bool rate_converged = false;
+    double change = 0;         // of the unknowns, between the iterates and their images
+    ConstNodeView alpha;       // with which the rate problem was solved; until the next response
+    bool has_velocity = false; // whether `w` has the velocity of the whole body
+  };
+
   void evaluateLoads(double t0, double t1);
   void rightSide(State const& from, double tau, State const& to);
   void setRightSide(State const& to);
+  void setMeanOffset(State const& from, double tau);
   void beginUnknowns(State const& from, double tau, State const& to);
-  CoupledResult iterate(State const& from, double tau, RateSolver& solver, State& to,
+  CoupledResult iterate(State const& from, double tau, RateSolver& solver, Vector& w, State& to,
                         SolveCount& count);
-  void meanSlipRate(RateSolver& solver);
-  Vector const& displacement(RateSolver const& solver, double tau);
+  Response respond(Effort effort, State const& from, double tau, RateSolver& solver, Vector& w,
+                   State& to, SolveCount& count);
+  tnnmg::TnnmgResult workOn(Effort effort, FrictionProblem const& friction,
+                            RateSolver& solver) const;
+  void meanSlipRate(RateSolver const& solver, BlockView const& mean, NodeView const& V) const;
+  void displacementAtEnd(Vector const& w, double tau, Vector& u) const;
 
   Body const& body_;
   Fault const& fault_;
@@ -154,13 +139,18 @@ private:
   BodyForces forces_;
   std::int64_t num_begun_ = 0;     // steps, to tell which one may be completed
   RCP<Vector> b_without_unknowns_; // null if none adds forces
-  RCP<Vector> b_, prescribed_, u_hat_, a_hat_, work_u_, work_a_, w_, work_v_;
-  std::vector<RCP<Vector>> work_d_;
-  // The part of the mean velocity that follows from the past and from prescribed velocities; the
-  // mean velocity itself.
-  BlockView mean_offset_, mean_;
+  RCP<Vector> b_, prescribed_, u_hat_, a_hat_;
+  BlockView mean_offset_;            // setMeanOffset
   BlockView prescribed_part_;        // gatherPrescribedPart at the end of the step
   bool has_prescribed_part_ = false; // whether it has any
-  NodeView V_;
+  // Memory for vectors that live no longer than one call of a function.
+  struct Workspace
+  {
+    RCP<Vector> w, u, v, a; // (owned dofs)
+    std::vector<RCP<Vector>> d;
+    BlockView mean; // (num_nodes, T)
+    NodeView V;     // (num_nodes)
+  };
+  Workspace work_;
 };
 } // namespace asperity::dynamics

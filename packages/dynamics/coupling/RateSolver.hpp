@@ -53,12 +53,13 @@ public:
   virtual std::size_t bytes() const = 0; // estimated memory on this rank
 };
 
-// What a solver takes over from those of other Z of the same body, where it is there.
+// What solvers of the same body with other Z have made already, and what a new solver reuses.
 struct SharedSetup
 {
-  tnnmg::MultigridTerms terms;              // may be none
-  std::vector<double> weights;              // of the terms in this Z
-  tnnmg::EliminationOrder* order = nullptr; // of the direct correction; may be null
+  tnnmg::MultigridTerms terms; // of the levels; none with the direct correction
+  std::vector<double> weights; // of the terms in this Z
+  tnnmg::EliminationOrder* order =
+    nullptr; // of the direct correction; null: the solver makes its own
 };
 
 // The rows of held dofs in Z must have their diagonal entries only. reactions: the matrix N (any

@@ -44,9 +44,9 @@ enum class FollowsFrom
   start,
   // The motion of the fault: images are computed after each iteration of the rate problem.
   fault,
-  // The motion of the whole body, which costs as much as a linear solve: images are computed when
-  // what follows from the fault has converged, or changes less than this unknown did the last time
-  // and this unknown is expected to change further.
+  // The motion of the whole body, whose computation costs as much as a linear solve. So images are
+  // computed in two cases alone: what follows from the fault has converged; or it changes less than
+  // this unknown did the last time, and this unknown is expected to change further.
   body
 };
 

@@ -18,7 +18,8 @@ std::optional<Warning> EnergyIncreaseWatch::note(std::int64_t count)
   return Warning{
     "energy increase",
     "J grew in " + std::to_string(count) +
-      " sweeps or corrections of TNNMG (energy_rises in steps.csv) by more than rounding. J is the "
+      " sweeps or corrections of TNNMG (energy_increases in steps.csv) by more than rounding. J is "
+      "the "
       "energy that every time step minimises; it must fall. Results of these steps may be wrong: "
       "please report this with the deck."};
 }

@@ -12,13 +12,13 @@ namespace asperity::dynamics
 namespace
 {
 constexpr double growth = 2;
-// A slip of L renews the contacts, and with them the state.
-// The second share was chosen between known runs: sound ones reach 0.11 L, bad ones 3.7 L and more.
+// A slip of L renews the contacts, and with them the state. Sound steps within the tolerance reach
+// 0.11 L, steps that lose events 3.7 L and more.
 constexpr double part_of_L = 0.1;        // in a forced step
 constexpr double part_of_L_within = 1.0; // in a step that meets the tolerance
-// Where slip is slow and friction weakens. It was chosen after these runs of wedge_2d.xml. With a
-// tolerance of 1e-5 steps reach 0.25 L, with 1e-3 1.1 L, and there are 28 events; with 0.01 they
-// reach 3 L, and one event is lost; with 0.1 8 L, and all are lost.
+// Where slip is slow and friction weakens. In wedge_2d.xml steps reach 0.25 L with a tolerance of
+// 1e-5 and 1.1 L with 1e-3, and no event is lost; they reach 3 L with 0.01, and one of 28 events is
+// lost, and 8 L with 0.1, and all are lost.
 constexpr double most_slow_slip = 2.0; // in units of L
 
 bool isPowerOfTen(std::int64_t count)
@@ -156,7 +156,7 @@ void GrowthWatch::restore(Archive const& archive, Restart const& restart)
   }
   if (!(tolerance_ < archive.getDouble("tolerance"))) {
     memory_.others = archive.getInteger("others");
-    memory_.damped = archive.has("damped") ? archive.getInteger("damped") : 0;
+    memory_.damped = archive.getInteger("damped");
   }
   if (!restart.has_smaller_steps) {
     memory_.least = archive.getDouble("least");
@@ -177,8 +177,8 @@ void GrowthWatch::requireUsefulRun() const
                             " before this restart hid a growing slip rate: earthquakes may "
                             "be lost. Choose " +
                             (is_forced ? smaller_step : smaller_tolerance);
-    throw LostEarthquakes(text + " and begin a new run: --restart would continue after the lost "
-                                 "earthquakes. 'Time Stepping / Most Hiding Steps' is the limit.");
+    throw UselessRun(text + " and begin a new run: --restart would continue after the lost "
+                            "earthquakes. 'Time Stepping / Most Hiding Steps' is the limit.");
   }
 }
 } // namespace asperity::dynamics

@@ -44,7 +44,7 @@ public:
   std::optional<Warning> note(Step const& step);
   // Looks at nothing where no state of the fault decides: prescribed slip rates may grow.
   void note(WatchedState const& now, Notes& notes) override;
-  // Throws LostEarthquakes if `most` steps of one kind have hidden growth.
+  // Throws UselessRun if `most` steps of one kind have hidden growth.
   void requireUsefulRun() const override;
 
   void save(Archive& archive) const override;

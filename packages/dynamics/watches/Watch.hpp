@@ -74,7 +74,7 @@ public:
   virtual std::optional<Warning> warningOfRun() const { return std::nullopt; }
   virtual std::string report() const { return ""; }
 
-  // What a restart goes on from. A checkpoint may be of an earlier version, and lack values.
+  // What a restart goes on from. A checkpoint of a run without this watch lacks its values.
   virtual void save(Archive&) const {}
   struct Restart
   {

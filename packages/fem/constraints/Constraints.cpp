@@ -187,7 +187,7 @@ int Constraints<Dim>::turnAt(std::vector<Direction> const& directions) const
   const auto free = std::find_if(directions.begin(), directions.end(), is_free);
   auto const& first =
     conditions_[(free != directions.end() ? *free : directions.front()).condition];
-  return std::holds_alternative<SlipAlongTangent<Dim>>(first.kind) ? 0 : first.turn;
+  return first.isTurned() ? 0 : first.turn;
 }
 
 // The directions that a node's frame follows, each with its prescribed velocity; a free direction

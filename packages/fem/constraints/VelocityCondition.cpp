@@ -21,6 +21,7 @@ struct Overloaded : Cases...
 
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
+
 Components normalised(Components vector, std::string const& condition)
 {
   const double size = std::sqrt(detail::dot(vector, vector));
@@ -58,6 +59,12 @@ template <int Dim>
 bool VelocityCondition<Dim>::prescribes() const
 {
   return std::visit([](auto const& one) { return one.prescribes; }, kind);
+}
+
+template <int Dim>
+bool VelocityCondition<Dim>::isTurned() const
+{
+  return std::visit([](auto const& one) { return one.is_turned; }, kind);
 }
 
 template <int Dim>

@@ -18,6 +18,8 @@
 //   prescribes    whether the velocity along its direction is prescribed; otherwise that is free,
 //                 and only the frames of the nodes follow the direction
 //   holds_across  whether v . n = 0, so that the boundary bears a reaction across it
+//   is_turned     whether its direction is a tangent that already has the sense of the condition's
+//                 `turn`, so that the frame of a node must not be turned once more
 //   velocity      the value that is prescribed, a function of x and t
 //
 // VelocityCondition.cpp adds the direction of each kind.
@@ -69,7 +71,7 @@ template <int Dim>
 struct PrescribedVelocity
 {
   static constexpr auto normal = Normal::of_boundary;
-  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr bool prescribes = true, holds_across = false, is_turned = false;
   std::vector<double> d;
   VelocityFunction<Dim> velocity;
 };
@@ -78,7 +80,7 @@ struct PrescribedVelocity
 struct AtRestAlong
 {
   static constexpr auto normal = Normal::of_boundary;
-  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr bool prescribes = true, holds_across = false, is_turned = false;
   static constexpr ZeroVelocity velocity = {};
   std::vector<double> d;
 };
@@ -87,7 +89,7 @@ struct AtRestAlong
 struct SlidingWall
 {
   static constexpr auto normal = Normal::of_wall;
-  static constexpr bool prescribes = true, holds_across = true;
+  static constexpr bool prescribes = true, holds_across = true, is_turned = false;
   static constexpr ZeroVelocity velocity = {};
 };
 
@@ -95,7 +97,7 @@ struct SlidingWall
 struct ContactAcrossFault
 {
   static constexpr auto normal = Normal::of_fault;
-  static constexpr bool prescribes = true, holds_across = true;
+  static constexpr bool prescribes = true, holds_across = true, is_turned = false;
   static constexpr ZeroVelocity velocity = {};
   Boundaries continuations; // the normal is the mean over their facets, too
 };
@@ -105,7 +107,7 @@ struct ContactAcrossFault
 struct FreeAcrossFault
 {
   static constexpr auto normal = Normal::of_fault;
-  static constexpr bool prescribes = false, holds_across = false;
+  static constexpr bool prescribes = false, holds_across = false, is_turned = false;
   static constexpr ZeroVelocity velocity = {};
   Boundaries continuations; // the normal is the mean over their facets, too
 };
@@ -115,7 +117,7 @@ template <int Dim>
 struct SlipAlongTangent
 {
   static constexpr auto normal = Normal::of_fault;
-  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr bool prescribes = true, holds_across = false, is_turned = true;
   VelocityFunction<Dim> velocity;
   Boundaries continuations; // the normal is the mean over their facets, too
 };
@@ -125,7 +127,7 @@ template <int Dim>
 struct SlipTowards
 {
   static constexpr auto normal = Normal::of_fault;
-  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr bool prescribes = true, holds_across = false, is_turned = false;
   std::vector<double> d;
   VelocityFunction<Dim> velocity;
   Boundaries continuations; // the normal is the mean over their facets, too
@@ -135,7 +137,7 @@ struct SlipTowards
 struct NoSlipSideways
 {
   static constexpr auto normal = Normal::of_fault;
-  static constexpr bool prescribes = true, holds_across = false;
+  static constexpr bool prescribes = true, holds_across = false, is_turned = false;
   static constexpr ZeroVelocity velocity = {};
   std::vector<double> d;
   Boundaries continuations; // the normal is the mean over their facets, too
@@ -159,6 +161,7 @@ struct VelocityCondition
   // These return the members of the kind, see above.
   Normal normal() const;
   bool prescribes() const;
+  bool isTurned() const;
   bool holdsAcross() const;
   double velocity(Point<Dim> const& x, double t) const;
   bool dependsOnTime() const; // whether the velocity may depend on time

@@ -1,12 +1,12 @@
 #include "fem/motions/BodyPieces.hpp"
 
+#include "base/DisjointSets.hpp"
+#include "base/parallel/GhostExchange.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/TouchingFacets.hpp"
 
-#include <Tpetra_Import.hpp>
 #include <Tpetra_Map.hpp>
-#include <Tpetra_Vector.hpp>
 
 #include <algorithm>
 #include <array>
@@ -17,25 +17,6 @@ namespace asperity::fem
 {
 namespace
 {
-// Disjoint sets of the numbers 0 <= i < size (union-find).
-class Sets
-{
-public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int find(int i)
-  {
-    while (parent_[i] != i) {
-      i = parent_[i] = parent_[parent_[i]];
-    }
-    return i;
-  }
-  void unite(int i, int j) { parent_[find(i)] = find(j); }
-
-private:
-  std::vector<int> parent_;
-};
-
 // The cells at each owned vertex: those of vertex v stand from first[v] to first[v + 1].
 struct Stars
 {
@@ -70,11 +51,11 @@ Stars starsOf(Mesh<Dim> const& mesh)
 
 // The vertices of one place on all sides of its faults are one set.
 template <int Dim>
-Sets placesOf(Mesh<Dim> const& mesh)
+DisjointSets placesOf(Mesh<Dim> const& mesh)
 {
-  Sets places(mesh.vertices.size());
+  DisjointSets places(mesh.vertices.size());
   for (auto const& pair : mesh.splits) {
-    places.unite(pair.plus, pair.minus);
+    places.join(pair.plus, pair.minus);
   }
   return places;
 }
@@ -83,7 +64,8 @@ Sets placesOf(Mesh<Dim> const& mesh)
 // a fault connects its two sides: where a fault branches off another one, nothing else connects the
 // cells that meet at the tip.
 template <int Dim>
-bool isPinched(Mesh<Dim> const& mesh, Sets& places, int vertex, int const* begin, int const* end)
+bool isPinched(Mesh<Dim> const& mesh, DisjointSets& places, int vertex, int const* begin,
+               int const* end)
 {
   using Key = std::array<int, Dim - 1>; // the other vertices of a facet
   std::vector<std::pair<Key, int>> facets;
@@ -97,7 +79,7 @@ bool isPinched(Mesh<Dim> const& mesh, Sets& places, int vertex, int const* begin
       auto place = key.begin();
       for (const int v : corners) {
         if (v != vertex && v != left_out) {
-          *place++ = places.find(v);
+          *place++ = static_cast<int>(places.find(v));
         }
       }
       std::sort(key.begin(), key.end());
@@ -106,69 +88,39 @@ bool isPinched(Mesh<Dim> const& mesh, Sets& places, int vertex, int const* begin
   }
   std::sort(facets.begin(), facets.end());
   auto num_groups = end - begin;
-  Sets groups(static_cast<std::size_t>(num_groups));
+  DisjointSets groups(static_cast<std::size_t>(num_groups));
   for (std::size_t i = 1; i < facets.size(); ++i) {
     auto const& [before, one] = facets[i - 1];
     auto const& [key, other] = facets[i];
     if (before == key && groups.find(one) != groups.find(other)) {
-      groups.unite(one, other);
+      groups.join(one, other);
       --num_groups;
     }
   }
   return num_groups > 1;
 }
 
-// Exchanges numbers at owned vertices and ghosts between the ranks.
-class Exchange
+GhostExchange exchangeOf(std::vector<GlobalOrdinal> const& ids, int num_owned,
+                         RCP<const Communicator> const& communicator)
 {
-public:
-  template <int Dim>
-  Exchange(Mesh<Dim> const& mesh, RCP<const Communicator> const& communicator)
-      : is_parallel_(communicator->getSize() > 1)
-  {
-    if (is_parallel_) {
-      const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-      auto const& ids = mesh.global_ids;
-      const Teuchos::ArrayView<GlobalOrdinal const> all(ids.data(), ids.size());
-      here_ = rcp(new Map(none, all, 0, communicator));
-      owned_ = rcp(new Map(none, all.view(0, mesh.num_owned), 0, communicator));
-      import_ = rcp(new Import(owned_, here_));
-    }
-  }
+  const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const Teuchos::ArrayView<GlobalOrdinal const> all(ids.data(), ids.size());
+  const Map owned(none, all.view(0, num_owned), 0, communicator);
+  return GhostExchange(owned, {ids.begin() + num_owned, ids.end()});
+}
 
-  // Every vertex gets the largest of the numbers (>= 0) that ranks have for it.
-  void takeLargest(std::vector<double>& numbers) const
-  {
-    if (!is_parallel_) {
-      return;
-    }
-    Vector here(here_), owned(owned_);
-    copy(numbers, here);
-    owned.doExport(here, *import_, Tpetra::ABSMAX);
-    here.doImport(owned, *import_, Tpetra::REPLACE);
-    auto const values = here.getLocalViewHost(Tpetra::Access::ReadOnly);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      numbers[i] = std::max(numbers[i], values(i, 0));
-    }
-  }
-
-private:
-  static void copy(std::vector<double> const& numbers, Vector& to)
-  {
-    auto const values = to.getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      values(i, 0) = numbers[i];
-    }
-  }
-
-  bool is_parallel_;
-  RCP<const Map> here_, owned_;
-  RCP<const Import> import_;
-};
+// Every vertex gets the largest of the numbers that ranks have for it.
+void takeLargest(GhostExchange const& exchange, std::vector<double>& numbers)
+{
+  const auto values = toDevice(numbers, "asperity::fem::numbersOfVertices");
+  exchange.gatherLargest<double>(values, values);
+  exchange.share(values);
+  numbers = toVector(values);
+}
 
 // (num_local) 1 at pinched vertices, ghosts too, else 0.
 template <int Dim>
-std::vector<double> pinchedVertices(Mesh<Dim> const& mesh, Exchange const& exchange)
+std::vector<double> pinchedVertices(Mesh<Dim> const& mesh, GhostExchange const& exchange)
 {
   const auto stars = starsOf(mesh);
   int const* const cells = stars.cells.data();
@@ -178,27 +130,27 @@ std::vector<double> pinchedVertices(Mesh<Dim> const& mesh, Exchange const& excha
     int const* const begin = cells + stars.first[v];
     is_pinched[v] = isPinched(mesh, places, v, begin, cells + stars.first[v + 1]) ? 1 : 0;
   }
-  exchange.takeLargest(is_pinched);
+  takeLargest(exchange, is_pinched);
   return is_pinched;
 }
 
 // The connected vertices of this rank. Pinched vertices connect nothing.
 template <int Dim>
-Sets localPieces(Mesh<Dim> const& mesh, std::vector<double> const& is_pinched)
+DisjointSets localPieces(Mesh<Dim> const& mesh, std::vector<double> const& is_pinched)
 {
-  Sets pieces(mesh.vertices.size());
+  DisjointSets pieces(mesh.vertices.size());
   for (auto const& cell : mesh.cells) {
     int first = -1;
     for (const int v : cell) {
       if (is_pinched[v] == 0) {
-        pieces.unite(first < 0 ? v : first, v);
+        pieces.join(first < 0 ? v : first, v);
         first = v;
       }
     }
   }
   for (auto const& pair : mesh.splits) {
     if (is_pinched[pair.plus] == 0 && is_pinched[pair.minus] == 0) {
-      pieces.unite(pair.plus, pair.minus);
+      pieces.join(pair.plus, pair.minus);
     }
   }
   return pieces;
@@ -207,8 +159,8 @@ Sets localPieces(Mesh<Dim> const& mesh, std::vector<double> const& is_pinched)
 // (num_local) the largest global id in each vertex's piece, plus one. Ranks exchange the labels
 // until none changes.
 template <int Dim>
-std::vector<double> largestIds(Mesh<Dim> const& mesh, Sets pieces, Exchange const& exchange,
-                               Communicator const& communicator)
+std::vector<double> largestIds(Mesh<Dim> const& mesh, DisjointSets pieces,
+                               GhostExchange const& exchange, Communicator const& communicator)
 {
   std::vector<double> labels;
   for (const GlobalOrdinal id : mesh.global_ids) {
@@ -218,13 +170,13 @@ std::vector<double> largestIds(Mesh<Dim> const& mesh, Sets pieces, Exchange cons
     const auto before = labels;
     auto largest = labels;
     for (std::size_t v = 0; v < labels.size(); ++v) {
-      double& of_piece = largest[pieces.find(static_cast<int>(v))];
+      double& of_piece = largest[pieces.find(v)];
       of_piece = std::max(of_piece, labels[v]);
     }
     for (std::size_t v = 0; v < labels.size(); ++v) {
-      labels[v] = largest[pieces.find(static_cast<int>(v))];
+      labels[v] = largest[pieces.find(v)];
     }
-    exchange.takeLargest(labels);
+    takeLargest(exchange, labels);
     has_changed = maxOverRanks(labels != before ? 1 : 0, communicator);
   }
   return labels;
@@ -234,7 +186,7 @@ std::vector<double> largestIds(Mesh<Dim> const& mesh, Sets pieces, Exchange cons
 template <int Dim>
 BodyPieces<Dim> bodyPieces(Mesh<Dim> const& mesh, RCP<const Communicator> const& communicator)
 {
-  const Exchange exchange(mesh, communicator);
+  const auto exchange = exchangeOf(mesh.global_ids, mesh.num_owned, communicator);
   const auto is_pinched = pinchedVertices(mesh, exchange);
   const auto labels = largestIds(mesh, localPieces(mesh, is_pinched), exchange, *communicator);
   constexpr auto none = std::numeric_limits<GlobalOrdinal>::max();

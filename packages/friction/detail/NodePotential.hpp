@@ -39,14 +39,14 @@ struct HasOnset<Curve, std::void_t<decltype(std::declval<Curve const&>().onset()
 {
 };
 
-// psi(w) = weight [ sigma_n mubar(c |w|) / c + cohesion |w| ] at one node and one state.
+// psi(w) = weight [ sigma_n mubar(chi |w|) / chi + cohesion |w| ] at one node and one state.
 template <class Curve>
 struct NodePotential
 {
   double weight;   // m^(d-1)
   double sigma_n;  // Pa
   double cohesion; // Pa
-  double factor;   // c
+  double factor;   // chi
   Curve curve;
 
   // d psi / d|w| in N, at |w| = s in m/s.

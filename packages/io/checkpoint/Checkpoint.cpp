@@ -17,7 +17,7 @@ namespace asperity::io
 namespace
 {
 constexpr char const* format_name = "asperity checkpoint";
-constexpr std::int64_t format_version = 11;
+constexpr std::int64_t format_version = 1;
 
 std::string checksumOf(std::vector<std::string> const& parameters,
                        std::vector<std::string> const& values,

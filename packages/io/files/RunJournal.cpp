@@ -103,7 +103,7 @@ void RunJournal::save(Archive& archive) const
 std::vector<Warning> RunJournal::repeat(Archive const& archive)
 {
   std::vector<Warning> repeated;
-  const auto number = archive.has("number") ? archive.getInteger("number") : 0;
+  const auto number = archive.getInteger("number");
   const auto step = step_;
   const double time = time_;
   for (std::int64_t i = 0; i < number; ++i) {

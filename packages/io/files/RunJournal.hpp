@@ -57,7 +57,6 @@ public:
   // Saves the last warning of each topic.
   void save(Archive& archive) const;
   // Repeats those that were saved and on whose topic this process has not warned; returns them.
-  // Earlier versions have saved none.
   std::vector<Warning> repeat(Archive const& archive);
 
 private:

@@ -11,8 +11,8 @@ namespace
 // What programs tell failures apart by, whatever the message says.
 std::string kindOf(std::exception const& error)
 {
-  if (dynamic_cast<LostEarthquakes const*>(&error) != nullptr) {
-    return "lost_earthquakes";
+  if (dynamic_cast<UselessRun const*>(&error) != nullptr) {
+    return "useless_run";
   }
   switch (exitStatus(error)) {
   case exit_input: return "input";

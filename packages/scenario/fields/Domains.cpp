@@ -33,7 +33,7 @@ Domains makeDomains(Problem<Dim> const& problem)
   if (!problem.discretisation.boundary.surface.empty()) {
     domains.emplace("surface", io::boundaryDomain("surface", problem.mesh(),
                                                   problem.discretisation.boundary.surface,
-                                                  problem.communicator));
+                                                  problem.communicator, io::CurveStart::smaller_x));
   }
   return domains;
 }

@@ -26,7 +26,7 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   count("correction_iterations", "Iterations of conjugate gradients in the corrections.",
         &dynamics::SolveCount::correction_iterations);
   count("v_cycles", "Multigrid cycles.", &dynamics::SolveCount::v_cycles);
-  count("energy_rises", "Sweeps and corrections of TNNMG in which J grew; must be 0.",
+  count("energy_increases", "Sweeps and corrections of TNNMG in which J grew; must be 0.",
         &dynamics::SolveCount::energy_increases);
   count("failed_steps", "Steps that could not be solved.", &dynamics::SolveCount::failures);
   if (view.floor_count && view.floor_count->matters()) {

@@ -1,7 +1,7 @@
 #include "scenario/problem/Problem.hpp"
 
 #include "dynamics/initial/FoundationPressure.hpp"
-#include "fem/PatchedBody.hpp"
+#include "fem/BodyMatrices.hpp"
 #include "fem/SupportWeights.hpp"
 #include "scenario/problem/FaultAtStart.hpp"
 #include "scenario/problem/InitialState.hpp"
@@ -48,9 +48,9 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
                                          mesh.num_global_vertices * discretisation.components());
 
   // 2. The body, its loads, and where its fault lies.
-  auto matrices = fem::assemblePatchedBody<Dim>(
-    mesh, *discretisation.dofs, discretisation.frames(), discretisation.rock.materials,
-    discretisation.rock.branches, discretisation.patches);
+  auto matrices = fem::assembleBody<Dim>(mesh, *discretisation.dofs, discretisation.frames(),
+                                         discretisation.rock.materials,
+                                         discretisation.rock.branches, discretisation.patches);
   auto site = makeFaultSite(deck, settings, discretisation, *matrices.stiffness->getCrsGraph());
   const SetupContext<Dim> context{deck, settings, discretisation, solver, site};
   auto loaded = makeBody(context, std::move(matrices));

@@ -251,12 +251,11 @@ std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list
 {
   auto const name = TimeSettings::from(list).control;
   auto control = dynamics::StepControlRegistry::instance().at(name).make(
-    list.sublist(name), {step, step.update().order, time_path, setting.wave_rate});
+    list.sublist(name), {step, step.update().order, time_path, setting.wave_rate,
+                         instants(list, output_times, step.clock()), setting.displacement,
+                         setting.least_motion[0], setting.least_motion[1], setting.place_of});
   ASPERITY_REQUIRE(control->adapts() || !list.getEntry(largest_step).isDefault(),
                    time_path << " / " << largest_step << " is missing: prescribed steps need it.");
-  control->setInstants(instants(list, output_times, step.clock()));
-  control->setStart(setting.displacement, setting.least_motion[0], setting.least_motion[1]);
-  control->setPlaces(setting.place_of);
   return control;
 }
 } // namespace asperity::scenario

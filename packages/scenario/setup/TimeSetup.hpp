@@ -4,6 +4,7 @@
 #include "parameters/Parameters.hpp"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,10 +49,10 @@ dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = t
 // What a step control knows of the problem beside its step.
 struct ControlSetting
 {
-  double wave_rate = 0;                 // dynamics::WaveScale::slip_rate [m/s]
-  RCP<const Vector> displacement;       // at the start of the run; null: zero
-  std::array<double, 2> least_motion{}; // below which no error matters [m, m/s]
-  dynamics::StepControl::PlaceOf place_of;
+  double wave_rate = 0;                     // dynamics::WaveScale::slip_rate [m/s]
+  RCP<const Vector> displacement;           // at the start of the run; null: zero
+  std::array<double, 2> least_motion{};     // below which no error matters [m, m/s]
+  std::function<std::string(int)> place_of; // see dynamics::ControlContext
 };
 
 // No step passes the end of the run, an instant of the list, or an output time [s].

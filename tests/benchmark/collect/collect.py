@@ -45,7 +45,7 @@ def entry_of(case, folder):
     difference = first_difference(case, run)
     if difference:
         raise Refused(difference)
-    rises = int(run.steps["energy_rises"].sum())
+    rises = int(run.steps["energy_increases"].sum())
     if rises:
         raise Refused(f"J rose {rises} times")
     steps = {"accepted steps": len(run.steps)}

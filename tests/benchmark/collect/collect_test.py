@@ -38,7 +38,7 @@ def write_run(folder, rises=0):
         "".join(["number,onset [s],end [s],duration [s],width [m]\n", *rows]))
     (folder / "steps.csv").write_text(
         "step,time [s],step_size [s],coupled_steps,rate_problems,tnnmg_iterations,"
-        "energy_rises,friction_work [J/m],energy_defect [J/m]\n"
+        "energy_increases,friction_work [J/m],energy_defect [J/m]\n"
         f"1,1,1,3,4,5,0,10,0\n2,2,1,3,4,5,{rises},20,-2e-9\n")
     (folder / "run.log").write_text("Asperity 9.8.7 on Serial, 1 rank.\n"
                                     "Finished at t = 2 s after 2 steps.\n")

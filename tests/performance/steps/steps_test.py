@@ -21,7 +21,7 @@ class Steps(unittest.TestCase):
     def test_a_rate_problem_takes_fewer_than_two_iterations(self):
         # Solved one by one they take three.
         self.assertLess(self.total("tnnmg_iterations"), 2 * self.total("rate_problems"))
-        self.assertEqual(self.total("energy_rises"), 0)
+        self.assertEqual(self.total("energy_increases"), 0)
 
     def test_a_correction_takes_few_v_cycles(self):
         # To a tenth of the residual; they take 3.1. The limit was chosen after that.

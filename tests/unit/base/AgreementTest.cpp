@@ -42,6 +42,7 @@ void expectItsKindOnEveryRank(Agree agree, int thrower)
 {
   EXPECT_EQ(caught(agree, InputError("a = -1"), thrower), "a = -1");
   EXPECT_EQ(caught(agree, SolveError("no root"), thrower), "no root");
+  EXPECT_EQ(caught(agree, UselessRun("lost"), thrower), "lost");
   EXPECT_EQ(caught(agree, OutputError("disk full"), thrower), "disk full");
   EXPECT_EQ(caught(agree, std::runtime_error("what else"), thrower), "what else");
   EXPECT_NE(caught(agree, std::bad_alloc(), thrower), "");

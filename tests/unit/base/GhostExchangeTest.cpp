@@ -129,6 +129,21 @@ TEST(GhostExchange, AddsInTheOrderOfRanks)
   EXPECT_EQ(toVector(x).front(), rank == 0 ? expected : term(rank));
 }
 
+// All other ranks have copies of what rank 0 owns.
+TEST(GhostExchange, GathersTheLargest)
+{
+  auto const communicator = Tpetra::getDefaultComm();
+  const int rank = communicator->getRank(), size = communicator->getSize();
+  const Map map(2, rank == 0 ? 2 : 0, 0, communicator);
+  const GhostExchange exchange(map, rank == 0 ? std::vector<GlobalOrdinal>{}
+                                              : std::vector<GlobalOrdinal>{0, 1});
+  // The first grows with the rank, the second falls; both are negative.
+  const std::vector<double> mine = {rank - 10., -rank - 1.};
+  const auto x = toDevice(mine, "x");
+  exchange.gatherLargest<double>(x, x);
+  EXPECT_EQ(toVector(x), rank == 0 ? (std::vector<double>{size - 11., -1}) : mine);
+}
+
 TEST(GhostExchange, SendsOnlyWhatIsTaken)
 {
   const Ring ring;

@@ -126,11 +126,10 @@ protected:
     }
   }
 
-  // Times of the steps that `control` takes up to the last of the instants.
+  // Times of the steps that `control`, made with these instants, takes up to the last of them.
   std::vector<DyadicTime::Ticks> timesUpTo(StepControl& control,
                                            std::vector<DyadicTime::Ticks> const& instants)
   {
-    control.setInstants(instants);
     SolveCount count;
     std::vector<DyadicTime::Ticks> times;
     while (state.time < instants.back()) {
@@ -143,13 +142,25 @@ protected:
     return times;
   }
 
-  // The instants are among the times, the last one at their end; steps before an instant descend,
-  // and go on afterwards as if nothing had been.
+  inline static const DyadicTime::Ticks large = half_seconds.ticks(8);
+  inline static const std::vector<DyadicTime::Ticks> several_instants = {
+    20 * large + 173, 20 * large + 174, 45 * large, 60 * large + 1};
+  inline static const std::vector<DyadicTime::Ticks> far_instant = {half_seconds.ticks(0) * 1000};
+  inline static const std::vector<DyadicTime::Ticks> near_instant = {10 * large + 173};
+
+  // The context of a control in a run with these instants.
+  ControlContext meeting(std::vector<DyadicTime::Ticks> const& instants)
+  {
+    ControlContext context{stepper.step};
+    context.instants = instants;
+    return context;
+  }
+
+  // For a control that meets several_instants: they are among the times, the last one at their end;
+  // steps before an instant descend, and go on afterwards as if nothing had been.
   void expectInstantsMet(StepControl& control)
   {
-    auto const large = half_seconds.ticks(8);
-    const std::vector<DyadicTime::Ticks> instants = {20 * large + 173, 20 * large + 174, 45 * large,
-                                                     60 * large + 1};
+    auto const& instants = several_instants;
     auto const times = timesUpTo(control, instants);
     for (auto instant : instants) {
       EXPECT_EQ(std::count(times.begin(), times.end(), instant), 1) << instant;
@@ -163,10 +174,9 @@ protected:
     EXPECT_LE(after, 20 * 4 + 16);
   }
 
-  // As long as no instant is in reach, it changes nothing.
+  // As long as far_instant, which `control` meets, is not in reach, it changes nothing.
   void expectSameStepsFarFromInstants(StepControl& control, StepControl& free)
   {
-    control.setInstants({half_seconds.ticks(0) * 1000});
     SolveCount count;
     auto other = state.clone();
     for (int n = 0; n < 8; ++n) {
@@ -178,19 +188,17 @@ protected:
     }
   }
 
-  // What a control remembers while it cuts steps short is all that the steps to come depend on.
+  // What a control remembers while it cuts steps short is all that the steps to come depend on. Both
+  // meet near_instant.
   void expectContinuationBeforeAnInstant(StepControl& control, StepControl& continued)
   {
-    const std::vector<DyadicTime::Ticks> instants = {10 * half_seconds.ticks(8) + 173};
     SolveCount count;
-    control.setInstants(instants);
-    continued.setInstants(instants);
     while (control.memory().level_after == ControlMemory::none) {
       control.advance(state, count);
-      ASSERT_LT(state.time, instants[0]);
+      ASSERT_LT(state.time, near_instant[0]);
     }
     expectSameContinuation(control, state, continued, 12);
-    EXPECT_GT(state.time, instants[0]);
+    EXPECT_GT(state.time, near_instant[0]);
   }
 
   Model model;

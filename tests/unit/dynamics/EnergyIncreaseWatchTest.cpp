@@ -16,7 +16,7 @@ TEST(EnergyIncreaseWatch, WarnsOfTheFirstAndOfTenTimesAsMany)
   // tests/support/asperity_run.py looks for the first words in what every run prints.
   asperity::test::expectParts(
     "WARNING: " + warning->text,
-    {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_rises in "
+    {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_increases in "
      "steps.csv)"});
   EXPECT_FALSE(watch.note(19));
   EXPECT_TRUE(watch.note(20));

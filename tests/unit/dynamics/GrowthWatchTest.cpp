@@ -103,9 +103,9 @@ TEST(GrowthWatch, GoesOnFromTheCountsOfAnEarlierRun)
 
   GrowthWatch full(L, 2);
   full.restore(memory, {});
-  asperity::test::expectRefusal<LostEarthquakes>(
-    [&] { full.requireUsefulRun(); }, {"2 steps before this restart", "a smaller 'Tolerance'",
-                                       "begin a new run", "Most Hiding Steps"});
+  asperity::test::expectRefusal<UselessRun>([&] { full.requireUsefulRun(); },
+                                            {"2 steps before this restart", "a smaller 'Tolerance'",
+                                             "begin a new run", "Most Hiding Steps"});
 }
 
 TEST(GrowthWatch, ForgetsForcedStepsWhereARestartHasSmallerSteps)

@@ -97,8 +97,8 @@ void expectStepsOfOneRank(ModelOptions const& options)
   auto shared = slidingState(models.together);
   energy_alone.start(own);
   energy_together.start(shared);
-  PrescribedSteps steps_alone(alone.step, {0, 1, 2});
-  PrescribedSteps steps_together(together.step, {0, 1, 2});
+  PrescribedSteps steps_alone({alone.step}, {0, 1, 2});
+  PrescribedSteps steps_together({together.step}, {0, 1, 2});
   for (int n = 0; n < 4; ++n) {
     steps_alone.advance(own, alone.count);
     steps_together.advance(shared, together.count);
@@ -141,9 +141,9 @@ TEST(Ranks, SlideInSpaceLikeOne)
   auto exact = slidingState(models.alone, upright);
   auto own = exact.clone();
   auto shared = slidingState(models.together, upright);
-  PrescribedSteps steps_direct(direct.step, {0, 1, 2});
-  PrescribedSteps steps_alone(alone.step, {0, 1, 2});
-  PrescribedSteps steps_together(together.step, {0, 1, 2});
+  PrescribedSteps steps_direct({direct.step}, {0, 1, 2});
+  PrescribedSteps steps_alone({alone.step}, {0, 1, 2});
+  PrescribedSteps steps_together({together.step}, {0, 1, 2});
   for (int n = 0; n < 3; ++n) {
     const auto before_alone = alone.count, before = together.count;
     steps_direct.advance(exact, direct.count);

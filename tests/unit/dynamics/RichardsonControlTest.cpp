@@ -16,9 +16,10 @@ namespace
 class RichardsonControlTest : public ControlTest
 {
 protected:
-  RichardsonControl control(AdaptiveSettings const& settings)
+  RichardsonControl control(AdaptiveSettings const& settings,
+                            std::vector<DyadicTime::Ticks> const& instants = {})
   {
-    return {stepper.step, 2, settings};
+    return {meeting(instants), settings};
   }
 
   SolveCount count;
@@ -158,7 +159,7 @@ TEST_F(RichardsonControlTest, HalvesUntilThePairIsFineEnough)
 TEST_F(RunawayRichardsonTest, TakesTheLargestPairThatHasNotRunAway)
 {
   const double tolerance = 1e-2;
-  RichardsonControl control(stepper.step, 2, adaptive(tolerance, 1));
+  RichardsonControl control({stepper.step}, adaptive(tolerance, 1));
   SolveCount count;
   const double fell = dynamics::distance(*model.surface, stepped(state, {0}).alpha, state.alpha);
   ASSERT_GT(fell, 1) << "half a second was meant to be too long";
@@ -187,7 +188,7 @@ TEST_F(RichardsonControlTest, MeasuresInTheNormAskedFor)
 
 TEST_F(FirstOrderRichardsonTest, TakesTheWholeDifferenceForTheError)
 {
-  RichardsonControl control(stepper.step, 1, adaptive(1e-3, 8));
+  RichardsonControl control({stepper.step, 1}, adaptive(1e-3, 8));
   SolveCount count;
   for (int n = 0; n < 3; ++n) {
     auto const before = state.clone();
@@ -231,7 +232,7 @@ TEST_F(RichardsonControlTest, ContinuesFromItsMemoryExactly)
     }
     EXPECT_EQ(control.memory().trial.has_value(), num_steps == 9);
     Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
-    RichardsonControl continued(other.step, 2, adaptive(1e-4, 8));
+    RichardsonControl continued({other.step}, adaptive(1e-4, 8));
     expectSameContinuation(control, from, continued, 9);
     EXPECT_EQ(continued.memory().num_steps, num_steps + 9);
   }
@@ -241,13 +242,13 @@ TEST_F(RichardsonControlTest, MeetsInstants)
 {
   auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 7;
-  auto control = this->control(settings);
+  auto control = this->control(settings, several_instants);
   expectInstantsMet(control);
 }
 
 TEST_F(RichardsonControlTest, DoesNotKnowOfInstantsFarAway)
 {
-  auto control = this->control(adaptive(1e-4, 8));
+  auto control = this->control(adaptive(1e-4, 8), far_instant);
   auto free = this->control(adaptive(1e-4, 8));
   expectSameStepsFarFromInstants(control, free);
 }
@@ -256,8 +257,8 @@ TEST_F(RichardsonControlTest, ContinuesBeforeAnInstantExactly)
 {
   auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 7;
-  auto control = this->control(settings);
-  auto continued = this->control(settings);
+  auto control = this->control(settings, near_instant);
+  auto continued = this->control(settings, near_instant);
   expectContinuationBeforeAnInstant(control, continued);
 }
 
@@ -265,7 +266,7 @@ TEST_F(RichardsonControlTest, HalvesStepsThatCannotBeSolved)
 {
   // Few iterations of the fixed point have to do: that takes steps finer than the tolerance does.
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
-  RichardsonControl control(hasty.step, 2, adaptive(1e-2, 2));
+  RichardsonControl control({hasty.step}, adaptive(1e-2, 2));
   auto free = this->control(adaptive(1e-2, 2));
   expectSmallerSteps(control, free);
 }
@@ -273,7 +274,7 @@ TEST_F(RichardsonControlTest, HalvesStepsThatCannotBeSolved)
 TEST_F(RichardsonControlTest, GivesUpBelowTheSmallestStep)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  RichardsonControl control(hasty.step, 2, adaptive(1e-2, 2, 5));
+  RichardsonControl control({hasty.step}, adaptive(1e-2, 2, 5));
   asperity::test::expectRefusal<SolveError>([&] { control.advance(state, count); },
                                             {"t = 0 s", "0.015625 s", "fixed point"});
   EXPECT_EQ(state.time, 0);
@@ -350,7 +351,7 @@ TEST_F(RichardsonControlTest, PredictionsStayBetweenTheLevelsAllowed)
 TEST_F(RichardsonControlTest, GuessesAreBetterThanTheStateBefore)
 {
   Stepper loose(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-5, 100));
-  RichardsonControl control(loose.step, 2, adaptive(1e-5, 10));
+  RichardsonControl control({loose.step}, adaptive(1e-5, 10));
   SolveCount plain;
   for (int n = 0; n < 20; ++n) {
     auto const before = state.clone();

@@ -29,7 +29,7 @@ struct SpaceRun
                                   {*state.u, *state.v, *model.body.vector(), {}},
                                   {state.alpha, state.sigma_n});
     energy.start(state);
-    PrescribedSteps steps(stepper.step, {0, 1, 2});
+    PrescribedSteps steps({stepper.step}, {0, 1, 2});
     for (int n = 0; n < 4; ++n) {
       steps.advance(state, stepper.count);
       energy.advance(state);

@@ -58,7 +58,7 @@ TEST_F(StepControlTest, MeasuresEachUnknownOnItsScale)
 TEST_F(StepControlTest, DoublingAcceptsTheCoarsestStepThatIsFineEnough)
 {
   const double tolerance = 1e-4;
-  StepDoubling control(stepper.step, adaptive(tolerance, 4));
+  StepDoubling control({stepper.step}, adaptive(tolerance, 4));
   SolveCount count;
   int coarsest = 16, finest = 0;
   for (int n = 1; n <= 30; ++n) {
@@ -87,7 +87,7 @@ TEST_F(StepControlTest, DoublingComesToTheSameStepFromAnyFirstTrial)
   std::vector<int> levels;
   for (int first : {1, 7, 16}) {
     auto from = state.clone();
-    StepDoubling control(stepper.step, adaptive(tolerance, first));
+    StepDoubling control({stepper.step}, adaptive(tolerance, first));
     SolveCount count;
     levels.push_back(control.advance(from, count).level);
   }
@@ -97,13 +97,13 @@ TEST_F(StepControlTest, DoublingComesToTheSameStepFromAnyFirstTrial)
 
 TEST_F(StepControlTest, DoublingContinuesFromItsMemoryExactly)
 {
-  StepDoubling control(stepper.step, adaptive(1e-4, 8));
+  StepDoubling control({stepper.step}, adaptive(1e-4, 8));
   SolveCount count;
   for (int n = 0; n < 7; ++n) {
     control.advance(state, count);
   }
   Stepper other(model, RateUpdate::newmark(0.25), half_seconds);
-  StepDoubling continued(other.step, adaptive(1e-4, 8));
+  StepDoubling continued({other.step}, adaptive(1e-4, 8));
   expectSameContinuation(control, state, continued, 7);
 }
 
@@ -111,15 +111,15 @@ TEST_F(StepControlTest, DoublingHalvesStepsThatCannotBeSolved)
 {
   // One iteration of the fixed point has to do: that takes steps far finer than the tolerance does.
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-3, 1));
-  StepDoubling control(hasty.step, adaptive(1e-2, 2));
-  StepDoubling free(stepper.step, adaptive(1e-2, 2));
+  StepDoubling control({hasty.step}, adaptive(1e-2, 2));
+  StepDoubling free({stepper.step}, adaptive(1e-2, 2));
   expectSmallerSteps(control, free);
 }
 
 TEST_F(StepControlTest, DoublingGivesUpBelowTheSmallestStep)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  StepDoubling control(hasty.step, adaptive(1e-2, 2, 5));
+  StepDoubling control({hasty.step}, adaptive(1e-2, 2, 5));
   SolveCount count;
   asperity::test::expectRefusal<SolveError>([&] { control.advance(state, count); },
                                             {"t = 0 s", "0.015625 s"});
@@ -128,7 +128,7 @@ TEST_F(StepControlTest, DoublingGivesUpBelowTheSmallestStep)
 
 TEST_F(StepControlTest, DoublingSaysWhenTheSmallestStepIsTooCoarse)
 {
-  StepDoubling control(stepper.step, adaptive(1e-12, 4, 6));
+  StepDoubling control({stepper.step}, adaptive(1e-12, 4, 6));
   SolveCount count;
   auto const accepted = control.advance(state, count);
   EXPECT_EQ(accepted.level, 6);
@@ -140,7 +140,7 @@ TEST_F(StepControlTest, DoublingStaysBelowTheLargestStep)
 {
   auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 5;
-  StepDoubling control(stepper.step, settings);
+  StepDoubling control({stepper.step}, settings);
   SolveCount count;
   for (int n = 1; n <= 3; ++n) {
     auto const before = state.clone();
@@ -157,7 +157,7 @@ TEST_F(StepControlTest, DoublingMeasuresInTheNormAskedFor)
   for (int first : {4, 12}) { // from a step too coarse, and from one too fine
     settings.first_level = first;
     auto from = state.clone();
-    StepDoubling control(stepper.step, settings);
+    StepDoubling control({stepper.step}, settings);
     SolveCount count;
     auto const accepted = control.advance(from, count);
     EXPECT_NEAR(accepted.error, errorOf(state, accepted.level, Norm::maximum), 1e-10);
@@ -167,7 +167,7 @@ TEST_F(StepControlTest, DoublingMeasuresInTheNormAskedFor)
 
 TEST_F(StepControlTest, PrescribedStepsAreTakenAndTheLastRepeated)
 {
-  PrescribedSteps control(stepper.step, {8, 7, 9});
+  PrescribedSteps control({stepper.step}, {8, 7, 9});
   SolveCount count;
   auto const expected = stepped(state, {8, 7, 9, 9});
   for (int level : {8, 7, 9, 9}) {
@@ -183,14 +183,14 @@ TEST_F(StepControlTest, DoublingMeetsInstants)
 {
   auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 8;
-  StepDoubling control(stepper.step, settings);
+  StepDoubling control(meeting(several_instants), settings);
   expectInstantsMet(control);
 }
 
 TEST_F(StepControlTest, DoublingDoesNotKnowOfInstantsFarAway)
 {
-  StepDoubling control(stepper.step, adaptive(1e-4, 8));
-  StepDoubling free(stepper.step, adaptive(1e-4, 8));
+  StepDoubling control(meeting(far_instant), adaptive(1e-4, 8));
+  StepDoubling free({stepper.step}, adaptive(1e-4, 8));
   expectSameStepsFarFromInstants(control, free);
 }
 
@@ -198,33 +198,37 @@ TEST_F(StepControlTest, DoublingContinuesBeforeAnInstantExactly)
 {
   auto settings = adaptive(1e3, 8);
   settings.coarsest_level = 8;
-  StepDoubling control(stepper.step, settings);
-  StepDoubling continued(stepper.step, settings);
+  StepDoubling control(meeting(near_instant), settings);
+  StepDoubling continued(meeting(near_instant), settings);
   expectContinuationBeforeAnInstant(control, continued);
 }
 
 TEST_F(StepControlTest, PrescribedStepsMeetInstants)
 {
-  PrescribedSteps control(stepper.step, {8});
+  PrescribedSteps control(meeting(several_instants), {8});
   expectInstantsMet(control);
 }
 
 TEST_F(StepControlTest, ATrialBeyondANewInstantIsForgotten)
 {
-  StepDoubling control(stepper.step, adaptive(1e-4, 8));
+  StepDoubling control({stepper.step}, adaptive(1e-4, 8));
   SolveCount count;
   do {
     control.advance(state, count);
   } while (!control.memory().trial);
   auto const instant = control.memory().trial->state.time - 1;
-  auto const times = timesUpTo(control, {instant});
+  Archive archive;
+  control.save(archive, states);
+  StepDoubling restarted(meeting({instant}), adaptive(1e-4, 8));
+  restarted.restore(archive, states);
+  auto const times = timesUpTo(restarted, {instant});
   EXPECT_EQ(times.back(), instant);
 }
 
 TEST_F(StepControlTest, PrescribedStepsThatFailEndTheRun)
 {
   Stepper hasty(model, RateUpdate::newmark(0.25), half_seconds, coupling(1e-12, 1));
-  PrescribedSteps control(hasty.step, {3});
+  PrescribedSteps control({hasty.step}, {3});
   SolveCount count;
   const auto message = asperity::test::refusal<SolveError>([&] { control.advance(state, count); });
   asperity::test::expectParts(message, {"as prescribed, failed", "'Prescribed / Levels'"});
@@ -241,8 +245,9 @@ TEST_F(StepControlTest, NamesTheNumberThatWasLost)
   ASSERT_TRUE(found);
   EXPECT_EQ(found->field, "displacement");
   EXPECT_EQ(found->index, 0);
-  StepDoubling control(stepper.step, adaptive(1e-4, 16));
-  control.setPlaces([](int vertex) { return "vertex " + std::to_string(vertex); });
+  ControlContext context{stepper.step};
+  context.place_of = [](int vertex) { return "vertex " + std::to_string(vertex); };
+  StepDoubling control(context, adaptive(1e-4, 16));
   SolveCount count;
   asperity::test::expectRefusal<SolveError>([&] { control.advance(state, count); },
                                             {"nan at vertex "});

@@ -91,7 +91,7 @@ TEST_F(WaveErrorTest, IsInTheErrorsOfControls)
   SolveCount count;
 
   settings.coarsest_level = 7; // of the step that a pair is compared with
-  RichardsonControl richardson(stepper.step, 2, settings);
+  RichardsonControl richardson({stepper.step}, settings);
   auto end = before.clone();
   auto accepted = richardson.advance(end, count);
   richardson.advance(end, count);
@@ -99,7 +99,7 @@ TEST_F(WaveErrorTest, IsInTheErrorsOfControls)
   EXPECT_EQ(accepted.error, waves.errorBetween(before, end, half_seconds.stepSize(8)));
 
   settings.coarsest_level = 8;
-  StepDoubling doubling(stepper.step, settings);
+  StepDoubling doubling({stepper.step}, settings);
   end = before.clone();
   accepted = doubling.advance(end, count);
   EXPECT_GT(accepted.error, 0.1);

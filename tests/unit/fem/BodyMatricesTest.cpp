@@ -121,7 +121,7 @@ struct Body
 template <class Body>
 auto assemble(Body const& body, NodalFrames const& frames)
 {
-  return assembleBody<Body::Dim, Body::Components>(body.mesh, body.dofs, frames, body.materials);
+  return assembleBody<Body::Dim>(body.mesh, body.dofs, frames, body.materials);
 }
 
 template <int Components, int Dim>

@@ -41,7 +41,7 @@ double lossOf(Constrained<2> const& body, std::string const& boundary,
 {
   auto const materials = layers(body.mesh);
   auto const& frames = body.constraints.frames();
-  auto const matrices = assembleBody<2, Components>(body.mesh, body.dofs, frames, materials);
+  auto const matrices = assembleBody<2>(body.mesh, body.dofs, frames, materials);
   auto const damped =
     withDampers(*matrices.viscosity, body.dofs,
                 resistanceOf<2>(body.mesh, absorbingBoundary(boundary), frames, materials));

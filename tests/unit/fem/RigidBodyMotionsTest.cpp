@@ -20,7 +20,7 @@ void expectNoForce(GlobalMesh<Dim> const& whole,
   const Constrained<Dim> body(whole, conditions);
   const std::vector<Material> materials(body.mesh.cells.size(), {900, 5e4, 2e4, 1e3, 1e3});
   auto const K =
-    assembleBody<Dim, Dim>(body.mesh, body.dofs, body.constraints.frames(), materials).stiffness;
+    assembleBody<Dim>(body.mesh, body.dofs, body.constraints.frames(), materials).stiffness;
   auto const motions = rigidBodyMotions(body.mesh, body.dofs, body.constraints.frames());
   ASSERT_EQ(static_cast<int>(motions->getNumVectors()), expected);
   MultiVector force(K->getRangeMap(), expected);

@@ -1,4 +1,4 @@
-#include "fem/PatchedBody.hpp"
+#include "fem/BodyMatrices.hpp"
 
 #include "base/parallel/Reductions.hpp"
 #include "fem/Simplex.hpp"
@@ -69,7 +69,7 @@ struct Rock
   RCP<const CrsMatrix> stiffnessWith(VolumetricPatches const& with) const
   {
     const NodalFrames frames(dofs->numLocalNodes(), Dim);
-    return assemblePatchedBody<Dim>(mesh, *dofs, frames, materials, {}, with).stiffness;
+    return assembleBody<Dim>(mesh, *dofs, frames, materials, {}, with).stiffness;
   }
 
   // With value(vertex, component) at the owned dofs.

@@ -17,7 +17,8 @@ struct Body
   {
     const auto mesh = stripMesh(num_base);
     domains["fault"] = io::boundaryDomain("fault", mesh, "base", world());
-    domains["surface"] = io::boundaryDomain("surface", mesh, "surface", world());
+    domains["surface"] =
+      io::boundaryDomain("surface", mesh, "surface", world(), io::CurveStart::smaller_x);
     domains["volume"] = io::volumeDomain(mesh, world());
     addField("fault", "slip_rate", 1, [this](double x) { return rate(x); });
     addField("fault", "alpha", 1, [this](double x) { return x - time; });

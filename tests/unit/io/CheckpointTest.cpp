@@ -154,14 +154,14 @@ TEST_F(Checkpoint, AChangedValueIsNoticed)
 
 TEST_F(Checkpoint, OtherVersionsAreRefused)
 {
-  for (const int version : {10, 99}) {
+  for (const int version : {0, 2}) {
     test::onRankZero([&] {
       auto h5 = h5::File::create(file, h5::Layout::sealed);
       h5.setAttribute("format", std::string("asperity checkpoint"), h5::TextLength::fixed);
       h5.setAttribute("format_version", std::int64_t(version));
     });
     test::expectParts(errorOfReading(),
-                      {"has format version " + std::to_string(version), "but this version reads 11",
+                      {"has format version " + std::to_string(version), "but this version reads 1.",
                        "the version of Asperity that wrote it"});
   }
 }

@@ -59,7 +59,8 @@ TEST(OutputDomain, WeightsAddUpToTheMeasure)
 TEST(OutputDomain, NodesAreNumberedAlongTheCurveOnAnyNumberOfRanks)
 {
   const auto mesh = test::stripMesh(num_base);
-  const OutputDomain surface = boundaryDomain("surface", mesh, "surface", world());
+  const OutputDomain surface =
+    boundaryDomain("surface", mesh, "surface", world(), CurveStart::smaller_x);
   EXPECT_EQ(startText(surface), "the end with smaller x (of equal x, with smaller y)");
   const NodeBlocks blocks(surface);
   const auto ofAll = [&](std::vector<double> const& mine, std::size_t components) {

@@ -102,7 +102,7 @@ TEST(RunRecord, NamesTheKindOfAFailure)
     const auto at = journal.find("\"kind\": ");
     return at == std::string::npos ? journal : journal.substr(at + 8);
   };
-  EXPECT_EQ(kind(LostEarthquakes(text)), "\"lost_earthquakes\"}\n");
+  EXPECT_EQ(kind(UselessRun(text)), "\"useless_run\"}\n");
   EXPECT_EQ(kind(SolveError(text)), "\"solve\"}\n");
   EXPECT_EQ(kind(InputError(text)), "\"input\"}\n");
   EXPECT_EQ(kind(OutputError(text)), "\"output\"}\n");

@@ -175,26 +175,9 @@ class Programs(FolderCase):
 
 
 class Origin(unittest.TestCase):
-    """An upright fault from y = -40 km to 0, whose events begin at 12 km depth."""
+    """Of positions along a fault whose events begin 12 km below its upper end."""
 
-    def nucleation(self, header: str, nodes) -> asperity.Run:
+    def test_nucleation_counts_from_the_upper_end(self):
         with tempfile.TemporaryDirectory() as name:
-            write(Path(name), header)
-            if nodes is not None:
-                synthetic_run.write_history(Path(name) / "fault.h5", np.array([0.0, 1.0]),
-                                            np.array(nodes), {})
-            return asperity.Run(name).events
-
-    def test_new_runs_count_from_the_upper_end(self):
-        for nodes in (None, [(0.0, 0.0), (0.0, -40e3)]):
-            self.assertEqual(self.nucleation(HEADER, nodes)["nucleation"][0], 12e3)
-
-    def test_older_runs_are_converted(self):
-        old = HEADER.replace("nucleation_from_upper_end", "nucleation")
-        self.assertEqual(self.nucleation(old, [(0.0, -40e3), (0.0, 0.0)])["nucleation"][0], 28e3)
-        self.assertEqual(self.nucleation(old, [(0.0, 0.0), (30e3, 0.0)])["nucleation"][0], 12e3)
-
-    def test_an_older_run_without_its_fault_is_labelled(self):
-        events = self.nucleation(HEADER.replace("nucleation_from_upper_end", "nucleation"), None)
-        self.assertNotIn("nucleation", events)
-        self.assertEqual(events["nucleation_from_smaller_coordinates"][0], 12e3)
+            write(Path(name), HEADER)
+            self.assertEqual(asperity.Run(name).events["nucleation"][0], 12e3)

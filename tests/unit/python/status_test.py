@@ -122,21 +122,16 @@ class Journal(Folder):
 
     def test_the_kind_of_a_failure_tells_whether_a_restart_makes_sense(self):
         advice = "Choose a smaller one, or begin a new run."
-        for kind, restarts in (("lost_earthquakes", False), ("input", False), ("solve", True)):
+        for kind, restarts in (("useless_run", False), ("input", False), ("solve", True)):
             for message in (advice, "Step 7 failed."):
                 self.write({"event": "begin"}, self.end("failed", 3, message, kind=kind))
                 (self.folder / "checkpoint.h5").touch()
                 out = self.status()[1]
                 self.assertEqual("continues it" in out, restarts, (kind, message))
-                self.assertEqual("--restart-from" in out, kind != "lost_earthquakes")
+                self.assertEqual("--restart-from" in out, kind != "useless_run")
                 self.assertEqual(self.facts()["kind"], kind)
 
-    def test_earlier_versions_advise_a_new_run_without_a_kind(self):
-        self.write({"event": "begin"}, self.end("failed", 3, "10 steps. Then begin a new run."))
-        (self.folder / "checkpoint.h5").touch()
-        self.assertNotIn("continues it", self.status()[1])
-
-    def test_the_log_of_earlier_versions_tells_a_failure_too(self):
+    def test_the_log_tells_a_failure_too(self):
         synthetic_log.write(self.folder, 2 * STEPS, 5, STOPPED + "The run has ended: no root.\n")
         status, out, _ = self.status()
         self.assertEqual(status, 3)
@@ -158,6 +153,30 @@ class Journal(Folder):
         self.assertNotIn("1 step.", out)
         self.assertEqual([each["topic"] for each in self.facts()["warnings"]],
                          ["cohesive zone", "hidden growth"])
+
+    def test_a_restart_takes_back_what_came_after_its_checkpoint(self):
+        self.write({"event": "begin"},
+                   {"event": "warning", "topic": "early", "text": "early.", "step": 5},
+                   {"event": "warning", "topic": "late", "text": "late.", "step": 9},
+                   {"event": "begin"}, {"event": "restart", "step": 7})
+        self.assertEqual([each["topic"] for each in self.facts()["warnings"]], ["early"])
+
+    def test_warnings_of_a_run_without_run_jsonl(self):
+        synthetic_log.write(self.folder, 2 * STEPS, 5, "WARNING: too few cells.\n")
+        (self.folder / "run.jsonl").unlink()
+        self.assertIn("WARNING: too few cells.", self.status()[1])
+
+    def test_a_line_without_its_end_is_left_out(self):
+        self.write({"event": "begin"}, self.end("finished", 0))
+        with open(self.folder / "run.jsonl", "a") as journal:
+            journal.write('{"event": "warn')
+        self.assertEqual(self.status()[0], 0)
+
+    def test_wall_time_counts_to_the_end_of_each_process(self):
+        """Also where the last line of progress was long before it."""
+        self.write({"event": "begin"}, self.end("stopped", 4, wall_time=5000.0),
+                   {"event": "begin"}, self.end("finished", 0, wall_time=5045.0))
+        self.assertEqual(self.facts()["wall"], 5045.0)
 
     def test_a_restart_takes_back_what_came_after_its_checkpoint(self):
         self.write({"event": "begin"},

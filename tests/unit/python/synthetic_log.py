@@ -31,7 +31,7 @@ def write(folder: Path, steps: int, cycles: int, ending="", flushed=None, every=
     folder.mkdir(parents=True, exist_ok=True)
     times = step_times(cycles)
     rows = ["step,time [s],step_size [s],peak_slip_rate [m/s],fixed_point_iterations,"
-            "coupled_steps,tnnmg_iterations,energy_rises,failed_steps,friction_work [J/m],"
+            "coupled_steps,tnnmg_iterations,energy_increases,failed_steps,friction_work [J/m],"
             "energy_defect [J/m]"]
     lines, onsets = [{"event": "begin", "step": 0, "time": 0}], []
     for number, time in enumerate(times[:steps], start=1):

@@ -44,7 +44,7 @@ void expectExactForLinearFields(GlobalMesh<Dim> const& coarse)
   const fem::DofMap dofs(mesh.global_ids, mesh.num_owned, Dim, comm);
   const fem::NodalFrames frames(dofs.numLocalNodes(), Dim);
   const std::vector<fem::Material> materials(mesh.cells.size(), {1.0, bulk, shear, 0.0, 0.0});
-  const auto body = fem::assembleBody<Dim, Dim>(mesh, dofs, frames, materials);
+  const auto body = fem::assembleBody<Dim>(mesh, dofs, frames, materials);
   Vector u(dofs.owned()), forces(dofs.owned());
   {
     const auto values = u.getLocalViewHost(Tpetra::Access::OverwriteAll);

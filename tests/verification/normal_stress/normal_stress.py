@@ -119,7 +119,7 @@ def solvers():
         difference = max(numpy.abs(numpy.sort(found[key], axis=1) -
                                    numpy.sort(answer[key], axis=1)).max()
                          / numpy.ptp(answer[key]) for key in FIELDS)
-        rises = sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
+        rises = sum(row["energy_increases"] for row in asperity_run.table(folder / "steps.csv"))
         fine = difference < 1e-8 and rises == 0
         print(f"{name}: differs from direct by {difference:.1e}, J rose {rises:.0f} times"
               f"{'' if fine else ' NO'}", flush=True)
@@ -127,7 +127,7 @@ def solvers():
     steps = asperity_run.table(reference / "steps.csv")
     last = steps[-1]
     defect = abs(last["energy_defect"]) / last["friction_work"]
-    fine = sum(row["energy_rises"] for row in steps) == 0 and defect < 1e-9
+    fine = sum(row["energy_increases"] for row in steps) == 0 and defect < 1e-9
     print(f"direct: energy defect {defect:.1e} of the friction work{'' if fine else ' NO'}",
           flush=True)
     return [*passed, fine]

@@ -45,6 +45,6 @@ def fields_by_place(folder, names, place=lambda x: x):
     return {name: history[f"fields/{name}"][:, order] for name in names}, places[order]
 
 
-def energy_rises(folder):
+def energy_increases(folder):
     """How often J rose, over all steps."""
-    return sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
+    return sum(row["energy_increases"] for row in asperity_run.table(folder / "steps.csv"))

@@ -98,7 +98,7 @@ def check(model, case):
     found = differences(condensed, whole, names)
     varied = numpy.ptp(fault_fields(whole, ["slip_rate"])["slip_rate"]) / VP
     passed = (max(found.values()) < TOLERANCE and varied > 0.5
-              and bodies.energy_rises(condensed) == 0
+              and bodies.energy_increases(condensed) == 0
               and is_condensed(condensed) and not is_condensed(whole))
     shown = " ".join(f"{name} {value:.1e}" for name, value in found.items())
     print(f"{model}, {case.__name__}: {shown}; slip rates vary by {varied:.1f} Vp"

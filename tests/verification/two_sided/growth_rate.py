@@ -86,7 +86,7 @@ def check(name, upper, lower, over_critical, rate=math.inf):
     order = 3 if regularised else 2
     found = modes.exponentials(t[settled], y[settled], order, 1)[0]
     found = sorted(sorted(found, key=lambda p: -p.real)[:2], key=lambda p: p.imag)
-    rises = sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
+    rises = sum(row["energy_increases"] for row in asperity_run.table(folder / "steps.csv"))
     fine = rises == 0
     for way, p, known in zip(("right", "left"), found, expected):
         errors = p.real / known.real - 1, p.imag / known.imag - 1

@@ -107,7 +107,7 @@ def check(model, dynamics, solvers, change="Fixed"):
         if model == "Solid":
             differences["image of the surface"] = image_difference(alone, both)
         fine = (max(differences.values()) < TOLERANCE and varied > 0.5
-                and bodies.energy_rises(both) == 0 and numpy.allclose(places, same_places))
+                and bodies.energy_increases(both) == 0 and numpy.allclose(places, same_places))
         shown = " ".join(f"{name} {value:.1e}" for name, value in differences.items())
         print(f"{model}, {dynamics}, {change} normal stress, {correction}, "
               f"{ranks} ranks: {shown}; slip rates vary by "

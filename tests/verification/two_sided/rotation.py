@@ -126,7 +126,7 @@ def check_solver(expected, unturned, dynamics, ranks):
                       ranks=ranks)
     found = answer(folder, unturned)
     difference = max(comparisons.largest_difference(found[key], expected[key]) for key in expected)
-    fine = difference < TOLERANCE and bodies.energy_rises(folder) == 0
+    fine = difference < TOLERANCE and bodies.energy_increases(folder) == 0
     print(f"{dynamics}, multigrid, ranks {ranks}: {difference:.1e}{'' if fine else ' NO'}",
           flush=True)
     return fine
@@ -138,7 +138,7 @@ def compare(dynamics, turns, ranks=1):
     expected = answer(folder, unturned)
     pressed = numpy.ptp(expected["normal_stress"]) / 1e4
     varied = numpy.ptp(expected["slip_rate"]) / VP
-    rises = bodies.energy_rises(folder)
+    rises = bodies.energy_increases(folder)
     fine = pressed > 2e-2 and varied > 0.5 and rises == 0
     print(f"{dynamics}, {unturned.dimension}D: slip rates vary by {varied:.1f} Vp, the normal "
           f"stress by {pressed:.1%}; J rose {rises:.0f} times{'' if fine else ' NO'}", flush=True)

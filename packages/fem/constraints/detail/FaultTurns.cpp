@@ -1,5 +1,6 @@
 #include "fem/constraints/detail/FaultTurns.hpp"
 
+#include "base/DisjointSets.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/constraints/detail/ConditionNodes.hpp"
 #include "fem/constraints/detail/NodalBasis.hpp"
@@ -12,27 +13,6 @@ namespace asperity::fem::detail
 {
 namespace
 {
-// Boundaries in sets.
-class Sets
-{
-public:
-  explicit Sets(std::size_t size) : set_(size)
-  {
-    for (std::size_t i = 0; i < size; ++i) {
-      set_[i] = i;
-    }
-  }
-  void join(std::size_t i, std::size_t j)
-  {
-    const auto from = set_[i], to = set_[j];
-    std::replace(set_.begin(), set_.end(), from, to);
-  }
-  std::size_t setOf(std::size_t i) const { return set_[i]; }
-
-private:
-  std::vector<std::size_t> set_;
-};
-
 // (size, size): 1 where an owned vertex has a facet of each of two boundaries, and no third one.
 // A facet at a junction of three belongs to the fault that goes on there, whose vertex it has, or
 // to a branch, which has a vertex of its own.
@@ -99,7 +79,7 @@ void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
     }
   }
   const Boundaries names(along.begin(), along.end());
-  Sets sets(names.size());
+  DisjointSets sets(names.size());
   auto const meet = maxOverRanks(meetings(mesh, names), communicator);
   for (std::size_t i = 0; i < names.size(); ++i) {
     for (std::size_t j = 0; j < names.size(); ++j) {
@@ -112,7 +92,7 @@ void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
   for (std::size_t i = 0; i < names.size(); ++i) {
     Boundaries together;
     for (std::size_t j = 0; j < names.size(); ++j) {
-      if (sets.setOf(j) == sets.setOf(i)) {
+      if (sets.find(j) == sets.find(i)) {
         together.push_back(names[j]);
       }
     }
