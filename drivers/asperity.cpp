@@ -1,5 +1,5 @@
-// asperity DECK.xml [--set "Path/To/Parameter=value"]... [--output DIR] [--restart DIR]
-// [--validate] [--plugin LIBRARY]... | --restart DIR | --version
+// asperity DECK.xml [options], or asperity --restart DIR [options]. asperity --help lists the
+// options, which scenario/deck/CommandLine.cpp declares.
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
 #include "base/program/Plugins.hpp"
@@ -34,6 +34,7 @@ try {
 }
 
 #ifdef __ELF__
+// Before the constructors of the libraries, which may replace nohup's handlers (Signals.hpp).
 using Start = void (*)(int, char**, char**);
 [[gnu::section(".preinit_array"), gnu::used]] const Start at_start = asperity::noteIgnoredSignals;
 #endif

@@ -1,16 +1,32 @@
 #pragma once
 
+#include "Report.hpp"
+
+#include "base/Types.hpp"
+#include "parameters/Parameters.hpp"
 #include "scenario/deck/CommandLine.hpp"
 
 #include <iosfwd>
 #include <string>
 
+struct BenchArguments;
+
+// A row of the table of commands in BenchArguments.cpp.
+struct BenchCommand
+{
+  std::string name, arguments, meaning; // as --help prints them
+  bool counts_steps;                    // takes --steps, and needs it
+  // `deck` is complete. Collective.
+  Report (*measure)(asperity::ParameterList const& deck, BenchArguments const& arguments,
+                    asperity::RCP<const asperity::Communicator> const& communicator);
+};
+
 struct BenchArguments
 {
-  std::string command;        // steps, kernels or stiffness
-  asperity::CommandLine deck; // the deck, its overrides and plugins
-  int num_steps = 0;          // of `steps`
-  std::string output;         // file for the numbers, "" for none
+  BenchCommand const* command = nullptr; // none for --help
+  asperity::CommandLine deck;            // the deck, its overrides and plugins
+  int num_steps = 0;                     // with --steps
+  std::string output;                    // file for the numbers, "" for none
   bool help = false;
 };
 

@@ -132,10 +132,12 @@ double bytesOfTransfer(multigrid::Level const& level, int passes)
   return bytesOfBlocks(graph) +
          single * static_cast<double>(passes * graph.rows() + graph.columnsWithGhosts());
 }
+
 double bytesOfRestriction(multigrid::Level const& level)
 {
   return bytesOfTransfer(level, 1) + static_cast<double>(level.restriction.bytes());
 }
+
 double bytesOfProlongation(multigrid::Level const& level) { return bytesOfTransfer(level, 2); }
 
 double bytesOfCycle(multigrid::Hierarchy const& hierarchy)

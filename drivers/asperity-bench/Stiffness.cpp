@@ -91,6 +91,7 @@ std::string rowsOf(FaultStiffness const& stiffness)
   }
   return out.str();
 }
+
 // In space, as text for numpy.loadtxt after a line of names.
 Report reportOf(PlaneStiffness const& stiffness)
 {

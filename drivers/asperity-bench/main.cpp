@@ -1,10 +1,5 @@
-// asperity-bench steps DECK.xml --steps N [--set "Path/To/Parameter=value"]... [--output FILE.json]
-// asperity-bench kernels DECK.xml [--set ...]... [--output FILE.json]
-// asperity-bench stiffness DECK.xml [--set ...]... [--output FILE.txt]
+// asperity-bench COMMAND DECK.xml [options]. The commands are in BenchArguments.cpp.
 #include "BenchArguments.hpp"
-#include "Kernels.hpp"
-#include "Steps.hpp"
-#include "Stiffness.hpp"
 
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"
@@ -46,10 +41,7 @@ int main(int argc, char** argv)
       asperity::loadPlugins(arguments.deck.plugins, asperity::scenario::registrations);
       // 3. Read the deck and measure.
       auto const deck = asperity::scenario::readCompleteDeck(arguments.deck);
-      auto const report = arguments.command == "steps"
-                            ? measureSteps(*deck, arguments.num_steps, communicator)
-                          : arguments.command == "kernels" ? measureKernels(*deck, communicator)
-                                                           : measureStiffness(*deck, communicator);
+      auto const report = arguments.command->measure(*deck, arguments, communicator);
       // 4. Print the table and write the file.
       if (is_root) {
         std::cout << report.table << std::flush;

@@ -5,18 +5,20 @@
 
 #include <filesystem>
 
+namespace asperity::geometry
+{
 namespace
 {
 void readTo(double& target, std::string const& option, std::string const& text)
 {
-  const auto value = asperity::readNumber(text);
+  const auto value = readNumber(text);
   ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a number.");
   target = *value;
 }
 
 void readTo(int& target, std::string const& option, std::string const& text)
 {
-  const auto value = asperity::readInteger(text);
+  const auto value = readInteger(text);
   ASPERITY_REQUIRE(value, "Option " << option << ": '" << text << "' is not a whole number.");
   target = *value;
 }
@@ -27,7 +29,7 @@ void readTo(std::optional<Number>& target, std::string const& option, std::strin
   readTo(target.emplace(), option, text);
 }
 
-std::string inBrackets(double value) { return " (" + asperity::formatNumber(value) + ")"; }
+std::string inBrackets(double value) { return " (" + formatNumber(value) + ")"; }
 
 template <class Number>
 std::string inBrackets(std::optional<Number> const&)
@@ -79,3 +81,4 @@ void Arguments::requireNew(std::string const& file_name) const
   ASPERITY_REQUIRE(overwrites_ || !std::filesystem::exists(file_name, error),
                    "'" << file_name << "' is there already. Give --overwrite to replace it.");
 }
+} // namespace asperity::geometry

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace asperity::geometry
+{
 // The arguments after the name of a command, which declares its options, reads them, and works:
 //
 //   double width = 1;
@@ -15,7 +17,7 @@
 //   if (arguments.read({"OUT.h5"})) { ... arguments.file(0) ... }
 //
 // For --help nothing is read. What is not given keeps its value, which --help prints.
-class Arguments : public asperity::Options
+class Arguments : public Options
 {
 public:
   explicit Arguments(std::optional<std::vector<std::string>> words) : words_(std::move(words)) {}
@@ -42,3 +44,4 @@ private:
   std::vector<std::string> files_;
   bool overwrites_ = false;
 };
+} // namespace asperity::geometry

@@ -13,10 +13,9 @@
 #include <algorithm>
 #include <memory>
 
+namespace asperity::geometry
+{
 // Rectangles and boxes, with options of the same names along each axis.
-using asperity::GlobalMesh;
-using asperity::Point;
-
 namespace
 {
 struct Axis
@@ -34,24 +33,24 @@ constexpr Axis axes[] = {{"--width", "--cells-x", "--left", "left", "right"},
 
 GlobalMesh<2> bricks(Point<2> const& size, std::array<int, 2> const& cells, Point<2> const& lowest)
 {
-  return asperity::mesh::rectangleMesh({size[0], size[1], cells[0], cells[1], lowest});
+  return mesh::rectangleMesh({size[0], size[1], cells[0], cells[1], lowest});
 }
 
 GlobalMesh<3> bricks(Point<3> const& size, std::array<int, 3> const& cells, Point<3> const& lowest)
 {
-  return asperity::mesh::boxMesh({size, cells, lowest});
+  return mesh::boxMesh({size, cells, lowest});
 }
 
 // Call this before the mesh is graded: bisection keeps a periodic mesh periodic, but may refine the
 // opposite sides of another mesh differently.
 void makePeriodicAlong(std::string const& names, GlobalMesh<3>& mesh)
 {
-  for (auto const& name : asperity::split(names, ',')) {
+  for (auto const& name : split(names, ',')) {
     const auto axis = std::string("xyz").find(name);
     ASPERITY_REQUIRE(name.size() == 1 && axis != std::string::npos,
                      "Option --periodic: '" << name << "' is not x, y or z.");
-    asperity::mesh::makePeriodic(mesh, static_cast<int>(axis), axes[axis].low_boundary,
-                                 axes[axis].high_boundary);
+    mesh::makePeriodic(mesh, static_cast<int>(axis), axes[axis].low_boundary,
+                       axes[axis].high_boundary);
   }
 }
 
@@ -59,7 +58,7 @@ void makePeriodicAlong(std::string const& names, GlobalMesh<3>& mesh)
 template <int Dim>
 std::function<double(Point<Dim> const&)> formula(std::string const& text, std::string const& where)
 {
-  const auto expression = std::make_shared<asperity::Expression>(text, where);
+  const auto expression = std::make_shared<Expression>(text, where);
   ASPERITY_REQUIRE(!expression->dependsOnTime(), where << " depends on t. Remove t from it.");
   return [expression](Point<Dim> const& x) {
     std::array<double, 3> point{};
@@ -74,22 +73,22 @@ GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Point<Dim> const& brick,
                        std::string const& cell_size)
 {
   const auto size = formula<Dim>(cell_size, "Option --cell-size");
-  return asperity::mesh::bisectBricks<Dim>(mesh, brick, [&](Point<Dim> const& x) {
+  return mesh::bisectBricks<Dim>(mesh, brick, [&](Point<Dim> const& x) {
     const double value = size(x);
     ASPERITY_REQUIRE(value > 0, "Option --cell-size is "
-                                  << asperity::formatNumber(value) << " at "
-                                  << (Dim == 2 ? "(x, y) = " : "(x, y, z) = ")
-                                  << asperity::mesh::text(x) << " m, outside (0, inf).");
+                                  << formatNumber(value) << " at "
+                                  << (Dim == 2 ? "(x, y) = " : "(x, y, z) = ") << mesh::text(x)
+                                  << " m, outside (0, inf).");
     return value;
   });
 }
 
 // From "NAME=CONDITION".
 template <int Dim>
-asperity::mesh::NamedCondition<Dim> faultFrom(std::string const& setting)
+mesh::NamedCondition<Dim> faultFrom(std::string const& setting)
 {
   const auto equals = setting.find('=');
-  const std::string name = asperity::trimmed(setting.substr(0, equals));
+  const std::string name = trimmed(setting.substr(0, equals));
   ASPERITY_REQUIRE(equals != std::string::npos && !name.empty(),
                    "Option --fault " << setting << " is not of the form NAME=CONDITION.");
   const auto condition = formula<Dim>(setting.substr(equals + 1), "Option --fault " + name);
@@ -100,14 +99,14 @@ asperity::mesh::NamedCondition<Dim> faultFrom(std::string const& setting)
 template <int Dim>
 void addFaults(GlobalMesh<Dim>& mesh, std::vector<std::string> const& settings)
 {
-  std::vector<asperity::mesh::NamedCondition<Dim>> faults;
+  std::vector<mesh::NamedCondition<Dim>> faults;
   for (auto const& setting : settings) {
     faults.push_back(faultFrom<Dim>(setting));
   }
-  asperity::mesh::addFaults(mesh, faults, "Option --fault");
+  mesh::addFaults(mesh, faults, "Option --fault");
   if (!faults.empty()) {
     auto trial = mesh;
-    asperity::mesh::splitFaults(trial, "Option --fault");
+    mesh::splitFaults(trial, "Option --fault");
   }
 }
 
@@ -160,3 +159,4 @@ void makeBricks(Arguments& arguments)
 
 void makeRectangle(Arguments& arguments) { makeBricks<2>(arguments); }
 void makeBox(Arguments& arguments) { makeBricks<3>(arguments); }
+} // namespace asperity::geometry

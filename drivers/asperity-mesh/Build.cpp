@@ -1,8 +1,8 @@
 #include "Commands.hpp"
-#include "GmshSession.hpp"
 #include "Meshes.hpp"
 #include "Partitioning.hpp"
 #include "TargetFolder.hpp"
+#include "Warnings.hpp"
 #include "building/BuildMesh.hpp"
 #include "building/BuildReport.hpp"
 #include "building/DeckEstimate.hpp"
@@ -16,10 +16,10 @@
 #include <chrono>
 #include <filesystem>
 
+namespace asperity::geometry
+{
 namespace
 {
-using asperity::geometry::BuildSettings;
-
 // A line with the seconds since the start.
 class Progress
 {
@@ -27,7 +27,7 @@ public:
   void operator()(std::string const& text) const
   {
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
-    std::cout << asperity::formatted("%7.1f s  ", time.count()) << text << std::endl;
+    std::cout << formatted("%7.1f s  ", time.count()) << text << std::endl;
   }
 
 private:
@@ -53,50 +53,53 @@ Files filesOf(Arguments const& arguments, bool is_dry)
   return files;
 }
 
-BuildSettings settingsOf(Files const& files, asperity::geometry::ShortOptions const& options)
+BuildSettings settingsOf(Files const& files, ShortOptions const& options)
 {
-  auto deck = files.deck.empty() ? Teuchos::rcp(new asperity::ParameterList("Asperity"))
-                                 : asperity::readDeck(files.deck);
+  auto deck =
+    files.deck.empty() ? Teuchos::rcp(new ParameterList("Asperity")) : readDeck(files.deck);
   const auto folder = std::filesystem::path(files.deck).parent_path();
   applyOptions(options, *deck, folder);
-  return asperity::geometry::readBuildSettings(*deck, folder.string());
+  auto settings = readBuildSettings(*deck, folder.string());
+  ASPERITY_REQUIRE(options.overlays.empty() || !settings.deck.empty(),
+                   "Option --overlay " << options.overlays.front()
+                                       << ": there is no deck of asperity that it could change. "
+                                          "Give --deck RUN.xml, too.");
+  settings.overlays = options.overlays;
+  return settings;
 }
 
-void requireTolerance(asperity::GlobalMesh<3> const& mesh, BuildSettings const& settings)
+void requireTolerance(GlobalMesh<3> const& mesh, BuildSettings const& settings)
 {
   for (int s = 0; settings.tolerance && s < settings.model.num_faults; ++s) {
     auto const& name = settings.model.name(s);
-    const auto off = asperity::geometry::largestDistance(mesh.vertices, mesh.boundaries.at(name),
-                                                         settings.model.surfaces[s].surface);
-    ASPERITY_REQUIRE(
-      off.distance <= *settings.tolerance,
-      "Fault '" << name << "': the centre of a facet lies " << asperity::formatShort(off.distance)
-                << " m from the given surface, at " << asperity::geometry::placeText(off.place)
-                << ", more than Tolerance = " << *settings.tolerance
-                << ". Give a smaller Cell Size there.");
+    const auto off =
+      largestDistance(mesh.vertices, mesh.boundaries.at(name), settings.model.surfaces[s].surface);
+    ASPERITY_REQUIRE(off.distance <= *settings.tolerance,
+                     "Fault '" << name << "': the centre of a facet lies "
+                               << formatShort(off.distance) << " m from the given surface, at "
+                               << placeText(off.place) << ", more than Tolerance = "
+                               << *settings.tolerance << ". Give a smaller Cell Size there.");
   }
 }
 
 // As it will be when the mesh is read, so that nothing is written that cannot be used.
-asperity::GlobalMesh<3> splitMesh(asperity::GlobalMesh<3> const& mesh,
-                                  std::vector<asperity::geometry::Junction> const& junctions)
+GlobalMesh<3> splitMesh(GlobalMesh<3> const& mesh, std::vector<Junction> const& junctions)
 {
   auto split = mesh;
   try {
-    asperity::mesh::splitFaults(split, "The mesh");
+    mesh::splitFaults(split, "The mesh");
     return split;
-  } catch (asperity::InputError const& error) {
+  } catch (InputError const& error) {
     std::string advice;
     for (auto const& junction : junctions) {
       if (junction.is_crossing) {
         advice += " Faults '" + junction.first + "' and '" + junction.second + "' cross from " +
-                  asperity::geometry::placeText(junction.from) + " to " +
-                  asperity::geometry::placeText(junction.to) +
+                  placeText(junction.from) + " to " + placeText(junction.to) +
                   ": let one of them end at the other (cut its surface there, or raise Trim Stubs "
                   "over the share of the smaller piece).";
       }
     }
-    throw asperity::InputError(error.what() + advice + " Nothing is written.");
+    throw InputError(error.what() + advice + " Nothing is written.");
   }
 }
 
@@ -114,26 +117,26 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
   for (auto const& remark : settings.remarks) {
     std::cout << remark << '\n';
   }
-  const auto arranged = asperity::geometry::arrangeSurfaces(settings);
+  const auto arranged = arrangeSurfaces(settings);
   reportProgress("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
   report(arranged, settings.model, std::cout);
   const auto size = sizeOfCells(arranged, settings);
-  const auto expected = asperity::geometry::expectedCells(arranged.complex, settings.model, size);
+  const auto expected = expectedCells(arranged.complex, settings.model, size);
   report(expected, std::cout);
   if (!settings.deck.empty()) {
-    reportDeck(settings.deck, arranged.complex, settings, size, expected, std::cout);
+    reportDeck(arranged.complex, settings, size, expected, std::cout);
   }
   if (is_dry) {
     return;
   }
-  auto mesh = asperity::geometry::meshArranged(arranged, settings, size, reportProgress);
+  auto mesh = meshArranged(arranged, settings, size, reportProgress);
   report(mesh, settings.model, std::cout);
-  if (const auto touching = asperity::mesh::touchingFacets(mesh)) {
-    warn("'" + files.mesh + "': " + asperity::mesh::sentence(*touching));
+  if (const auto touching = mesh::touchingFacets(mesh)) {
+    warn("'" + files.mesh + "': " + mesh::sentence(*touching));
   }
   requireTolerance(mesh, settings);
   for (auto& x : mesh.vertices) {
-    x = settings.is_y_up ? asperity::Point<3>{x[0], x[2], -x[1]} : x;
+    x = settings.is_y_up ? Point<3>{x[0], x[2], -x[1]} : x;
   }
   const auto split = splitMesh(mesh, junctions(arranged.complex, settings.model));
   if (partitioning.numParts()) {
@@ -146,7 +149,7 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
 
 void build(Arguments& arguments)
 {
-  asperity::geometry::ShortOptions options;
+  ShortOptions options;
   bool is_dry = false, prints = false;
   std::string format = "text";
   arguments
@@ -165,6 +168,7 @@ void build(Arguments& arguments)
     .values("--set", options.assignments, "PATH/NAME=VALUE", "a parameter of the deck")
     .value("--deck", options.deck, "RUN.xml",
            "a deck of asperity: report what it is to expect of the mesh")
+    .values("--overlay", options.overlays, "FILE.xml", "lay this over that deck, as asperity does")
     .flag("--dry", is_dry, "stop before the mesh is made, and report")
     .flag("--print-parameters", prints, "print the parameters of a deck")
     .value("--format", format, "text or xml", "of these");
@@ -177,9 +181,8 @@ void build(Arguments& arguments)
   if (prints) {
     ASPERITY_REQUIRE(format == "text" || format == "xml",
                      "Option --format: '" << format << "' is not text or xml.");
-    return printParameters(*asperity::geometry::buildParameters(), std::cout,
-                           format == "xml" ? asperity::ParameterFormat::xml
-                                           : asperity::ParameterFormat::text);
+    return printParameters(*buildParameters(), std::cout,
+                           format == "xml" ? ParameterFormat::xml : ParameterFormat::text);
   }
   partitioning.check();
   const auto files = filesOf(arguments, is_dry);
@@ -189,3 +192,4 @@ void build(Arguments& arguments)
   }
   buildFile(settingsOf(files, options), files, is_dry, partitioning);
 }
+} // namespace asperity::geometry

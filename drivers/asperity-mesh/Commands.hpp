@@ -2,7 +2,9 @@
 
 #include "Arguments.hpp"
 
-// The commands of asperity-mesh, which main.cpp describes. InputError if an argument, or a file
+namespace asperity::geometry
+{
+// The commands of asperity-mesh, which the table in Commands.cpp describes. InputError if an argument, or a file
 // that it names, is wrong.
 void build(Arguments& arguments);
 void convert(Arguments& arguments);
@@ -11,3 +13,8 @@ void makeRectangle(Arguments& arguments);
 void makeBox(Arguments& arguments);
 void partition(Arguments& arguments);
 void printInfo(Arguments& arguments);
+
+// Runs the command of the first word with the others. InputError also if there is no such command.
+void runCommand(std::vector<std::string> const& words);
+void printHelp(); // of all commands
+} // namespace asperity::geometry

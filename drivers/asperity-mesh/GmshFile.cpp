@@ -1,6 +1,7 @@
 #include "GmshFile.hpp"
 
 #include "GmshSession.hpp"
+#include "Warnings.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
@@ -13,7 +14,8 @@
 #include <sstream>
 #include <unordered_map>
 
-using asperity::GlobalMesh;
+namespace asperity::geometry
+{
 namespace model = gmsh::model;
 
 namespace
@@ -290,3 +292,4 @@ GlobalMesh<Dim> GmshFile::mesh(AssemblyOptions const& options) const
 
 template GlobalMesh<2> GmshFile::mesh(AssemblyOptions const&) const;
 template GlobalMesh<3> GmshFile::mesh(AssemblyOptions const&) const;
+} // namespace asperity::geometry

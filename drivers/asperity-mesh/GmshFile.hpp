@@ -8,6 +8,8 @@
 
 #include <string>
 
+namespace asperity::geometry
+{
 // A mesh of Gmsh in any of its .msh formats. Only one object may exist at a time.
 class GmshFile
 {
@@ -25,10 +27,11 @@ public:
   // inside the body (assemble); vertices keep the order of Gmsh's tags. InputError unless each cell
   // is in a group.
   template <int Dim>
-  asperity::GlobalMesh<Dim> mesh(AssemblyOptions const& options = {}) const;
+  GlobalMesh<Dim> mesh(AssemblyOptions const& options = {}) const;
 
 private:
   std::string where_;
   GmshSession session_;
   PhysicalGroups groups_;
 };
+} // namespace asperity::geometry

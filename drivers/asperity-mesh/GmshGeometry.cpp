@@ -1,6 +1,7 @@
 #include "GmshGeometry.hpp"
 
 #include "GmshSession.hpp"
+#include "Warnings.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
@@ -17,6 +18,8 @@
 #include <set>
 #include <sstream>
 
+namespace asperity::geometry
+{
 namespace
 {
 std::string whereIs(std::string const& file_name) { return "Gmsh geometry '" + file_name + "'"; }
@@ -29,7 +32,7 @@ std::string withoutComments(std::string const& script)
 // Gmsh reads one statement of a last line that does not end, and is silent on the others.
 void requireThatLastLineEnds(std::string const& script, std::string const& where)
 {
-  const std::string line = asperity::trimmed(script.substr(script.rfind('\n') + 1));
+  const std::string line = trimmed(script.substr(script.rfind('\n') + 1));
   const auto end = line.find(';');
   ASPERITY_REQUIRE(end == std::string::npos || end + 1 == line.size(),
                    where << ": there is no newline at the end of the last line. Gmsh would read of "
@@ -131,15 +134,15 @@ std::map<std::string, double> readConstants(std::string const& script,
   std::map<std::string, double> constants;
   for (auto const& setting : settings) {
     const auto equals = setting.find('=');
-    const std::string name = asperity::trimmed(setting.substr(0, equals));
+    const std::string name = trimmed(setting.substr(0, equals));
     ASPERITY_REQUIRE(equals != std::string::npos && !name.empty(),
                      "Option --set " << setting << " is not of the form NAME=VALUE.");
-    const auto value = asperity::readNumber(asperity::trimmed(setting.substr(equals + 1)));
+    const auto value = readNumber(trimmed(setting.substr(equals + 1)));
     ASPERITY_REQUIRE(value, "Option --set " << setting << ": what follows '=' is not a number.");
     ASPERITY_REQUIRE(std::find(known.begin(), known.end(), name) != known.end(),
                      "Option --set " << setting << ": " << where << " defines no constant '" << name
-                                     << "', only " << asperity::quotedNames(known)
-                                     << " (DefineConstant)." << asperity::didYouMean(name, known));
+                                     << "', only " << quotedNames(known) << " (DefineConstant)."
+                                     << didYouMean(name, known));
     ASPERITY_REQUIRE(constants.emplace(name, *value).second,
                      "Option --set gives '" << name << "' twice.");
   }
@@ -190,7 +193,7 @@ void generate(int dimension, std::string const& where)
   const auto thrown = errorOfGmsh([&] { gmsh::model::mesh::generate(dimension); });
   std::string last;
   gmsh::logger::getLastError(last);
-  last = asperity::trimmed(last);
+  last = trimmed(last);
   ASPERITY_REQUIRE(thrown.empty() && last.empty(),
                    where << " cannot be meshed by Gmsh: " << (last.empty() ? thrown : last) << '.');
 }
@@ -218,16 +221,11 @@ void write(std::string const& target)
   gmsh::option::setNumber("Mesh.PartitionSplitMeshFiles", 0); // one file
   const auto error = errorOfGmsh([&] { gmsh::write(target); });
   if (!error.empty() || !isComplete(target)) {
-    throw asperity::OutputError("'" + target + "' cannot be written by Gmsh. " + error +
-                                asperity::writeFailureReason(target));
+    throw OutputError("'" + target + "' cannot be written by Gmsh. " + error +
+                      writeFailureReason(target));
   }
 }
 } // namespace
-
-bool isGeometry(std::string const& file_name)
-{
-  return std::filesystem::path(file_name).extension() == ".geo";
-}
 
 std::string meshGeometry(std::string const& file_name, std::vector<std::string> const& settings,
                          GroupNames const& names, bool allowed,
@@ -239,7 +237,7 @@ std::string meshGeometry(std::string const& file_name, std::vector<std::string> 
                    where << " runs other programs (SystemCall). Remove that.");
   std::vector<std::string> arguments;
   for (auto const& [name, value] : readConstants(script, settings, where)) {
-    arguments.insert(arguments.end(), {"-setnumber", name, asperity::formatNumber(value)});
+    arguments.insert(arguments.end(), {"-setnumber", name, formatNumber(value)});
   }
   const GmshSession session(true, arguments);
   session.open(file_name, where);
@@ -268,3 +266,4 @@ void printRemarks(PhysicalGroups const& groups)
     warn(warning);
   }
 }
+} // namespace asperity::geometry

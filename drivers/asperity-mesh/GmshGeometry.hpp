@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-// Whether the name is that of a geometry, a script of Gmsh that it runs and meshes.
-bool isGeometry(std::string const& file_name);
-
-// Meshes a geometry in its own dimension, 2 or 3, and has Gmsh write the mesh to the file target(),
+namespace asperity::geometry
+{
+// Meshes a geometry, a script that Gmsh runs, in its own dimension, 2 or 3, and has Gmsh write the mesh to the file target(),
 // which is called when the mesh is there, and is returned. The mesh is what Gmsh's own program
 // would save: what the script asks for then, such as Mesh.ScalingFactor and Mesh.SaveAll, holds.
 // Gmsh's progress goes to the terminal. `settings` are NAME=VALUE each, for the script's
@@ -27,3 +26,4 @@ std::string meshGeometry(std::string const& file_name, std::vector<std::string> 
 
 // Prints the remarks and the warnings.
 void printRemarks(PhysicalGroups const& groups);
+} // namespace asperity::geometry

@@ -3,42 +3,18 @@
 #include "GmshSession.hpp"
 
 #include "base/Errors.hpp"
-#include "base/NearestName.hpp"
 #include "base/Text.hpp"
 
 #include <gmsh.h>
 
 #include <algorithm>
 
+namespace asperity::geometry
+{
 namespace model = gmsh::model;
 
 namespace
 {
-constexpr char const* names_option = "--names";
-constexpr char const* regions_option = "--region-names";
-
-GivenNames givenNames(std::string const& option, std::vector<std::string> const& texts)
-{
-  GivenNames names;
-  for (auto const& text : texts) {
-    for (auto const& piece : asperity::split(text, ',')) {
-      const auto equals = piece.find('=');
-      const std::string old = asperity::trimmed(piece.substr(0, equals));
-      const std::string name =
-        equals == std::string::npos ? "" : asperity::trimmed(piece.substr(equals + 1));
-      ASPERITY_REQUIRE(!old.empty() && !name.empty(),
-                       "Option " << option << ": '" << piece
-                                 << "' is not of the form NUMBER=NAME or OLD=NEW. Write as "
-                                 << option << " 1=free,3=fault,5=far.");
-      const auto number = asperity::readInteger(old);
-      ASPERITY_REQUIRE(number ? names.by_number.emplace(*number, name).second
-                              : names.by_name.emplace(old, name).second,
-                       "Option " << option << " gives a name to " << old << " twice.");
-    }
-  }
-  return names;
-}
-
 std::string list(std::vector<std::string> const& words)
 {
   std::string text;
@@ -97,7 +73,7 @@ private:
       name = given->second;
     } else if (renamed != given_.by_name.end()) {
       name = renamed->second;
-    } else if (asperity::trimmed(name).empty()) {
+    } else if (trimmed(name).empty()) {
       name = (of_cells_ ? "region_" : "boundary_") + std::to_string(tag);
       made_.insert(name);
       result_.remarks.push_back("physical " + std::string(entityName(dimension_)) + " " +
@@ -137,7 +113,7 @@ private:
     }
   }
 
-  char const* option() const { return of_cells_ ? regions_option : names_option; }
+  char const* option() const { return of_cells_ ? regions_option : boundaries_option; }
 
   int dimension_;
   bool of_cells_;
@@ -182,49 +158,6 @@ void leaveOut(std::set<std::string> const& without, PhysicalGroups& groups,
 }
 } // namespace
 
-GroupNames::GroupNames(std::vector<std::string> const& boundary_names,
-                       std::vector<std::string> const& region_names,
-                       std::vector<std::string> const& without_names)
-    : boundaries(givenNames(names_option, boundary_names))
-    , regions(givenNames(regions_option, region_names))
-{
-  for (auto const& text : without_names) {
-    for (auto const& name : asperity::split(text, ',')) {
-      ASPERITY_REQUIRE(!name.empty(), "Option --without " << text << ": a name is missing.");
-      without.insert(name);
-    }
-  }
-}
-
-void requireBoundaries(std::set<std::string> const& without,
-                       std::vector<std::string> const& boundaries,
-                       std::vector<std::string> const& regions, std::string const& where)
-{
-  const auto has = [](std::vector<std::string> const& names, std::string const& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  for (auto const& name : without) {
-    ASPERITY_REQUIRE(has(boundaries, name) || !has(regions, name),
-                     "Option --without " << name << ": this is a region of " << where
-                                         << ". Only boundaries and faults can be left out.");
-    ASPERITY_REQUIRE(has(boundaries, name), "Option --without "
-                                              << name << ": " << where
-                                              << " has no such boundary or fault."
-                                              << asperity::didYouMean(name, boundaries));
-  }
-}
-
-void requireKnownName(std::string const& option, std::string const& name,
-                      std::vector<std::string> const& names, std::string const& where)
-{
-  std::vector<std::string> known = names;
-  known.erase(std::remove(known.begin(), known.end(), ""), known.end());
-  ASPERITY_REQUIRE(std::find(known.begin(), known.end(), name) != known.end(),
-                   "Option " << option << ": " << where << " has no group '" << name << "'"
-                             << (known.empty() ? "" : ", only " + asperity::quotedNames(known))
-                             << '.' << asperity::didYouMean(name, known));
-}
-
 PhysicalGroups physicalGroups(int dimension, GroupNames const& names, std::string const& where)
 {
   PhysicalGroups groups;
@@ -234,3 +167,4 @@ PhysicalGroups physicalGroups(int dimension, GroupNames const& names, std::strin
   leaveOut(names.without, groups, where);
   return groups;
 }
+} // namespace asperity::geometry

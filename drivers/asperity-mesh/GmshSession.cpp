@@ -4,8 +4,8 @@
 
 #include <gmsh.h>
 
-#include <iostream>
-
+namespace asperity::geometry
+{
 GmshSession::GmshSession(bool is_loud, std::vector<std::string> const& arguments)
 {
   std::vector<std::string> texts = {"gmsh"};
@@ -31,7 +31,7 @@ std::string errorOfGmsh(std::function<void()> const& call)
 {
   try {
     call();
-  } catch (asperity::InputError const&) {
+  } catch (InputError const&) {
     throw; // ours, from a function that Gmsh calls
   } catch (std::string const& reason) {
     return reason;
@@ -46,9 +46,4 @@ char const* entityName(int dimension)
   constexpr char const* names[] = {"Point", "Curve", "Surface", "Volume"};
   return names[dimension];
 }
-
-void warn(std::string const& text)
-{
-  std::cout.flush();
-  std::cerr << "asperity-mesh: WARNING: " << text << std::endl;
-}
+} // namespace asperity::geometry

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace asperity::geometry
+{
 // Gmsh's library between its start and its end, with its own defaults and no file of the user's
 // options. Only one object may exist at a time, because the library has global data; what one
 // object sets, the next does not see.
@@ -24,8 +26,9 @@ public:
 // InputError is not caught.
 std::string errorOfGmsh(std::function<void()> const& call);
 
+// Gmsh's numbers of the types of elements.
+constexpr int type_segment = 1, type_triangle = 2, type_tetrahedron = 4, type_point = 15;
+
 // "Point", "Curve", "Surface", "Volume", as Gmsh's own interface calls entities.
 char const* entityName(int dimension);
-
-// Prints "asperity-mesh: WARNING: text" on standard error.
-void warn(std::string const& text);
+} // namespace asperity::geometry

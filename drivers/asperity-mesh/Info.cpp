@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+namespace asperity::geometry
+{
 namespace
 {
-using asperity::formatShort;
-using asperity::GlobalMesh;
-
 template <int Dim>
 std::string boundingBox(GlobalMesh<Dim> const& mesh)
 {
@@ -29,7 +28,7 @@ std::string boundingBox(GlobalMesh<Dim> const& mesh)
 template <int Dim>
 std::string tips(GlobalMesh<Dim> const& mesh, std::string const& fault)
 {
-  const auto vertices = asperity::mesh::boundaryVertices(mesh, fault);
+  const auto vertices = mesh::boundaryVertices(mesh, fault);
   const auto number = std::count_if(mesh.splits.begin(), mesh.splits.end(), [&](auto const& pair) {
     return pair.is_tip && std::binary_search(vertices.begin(), vertices.end(), pair.plus);
   });
@@ -39,7 +38,7 @@ std::string tips(GlobalMesh<Dim> const& mesh, std::string const& fault)
 template <int Dim>
 void printSizes(GlobalMesh<Dim> const& mesh)
 {
-  const auto sizes = asperity::mesh::cellSizes(mesh);
+  const auto sizes = mesh::cellSizes(mesh);
   std::cout << "dimension        " << Dim << "\nvertices         " << mesh.vertices.size();
   if (!mesh.splits.empty()) { // made when the mesh is read; the file has them if it is partitioned
     std::cout << ", " << mesh.splits.size() << " of them copies at faults";
@@ -72,9 +71,9 @@ void printNames(GlobalMesh<Dim> const& mesh)
   for (auto const& [name, facets] : mesh.boundaries) {
     const bool is_fault = std::binary_search(mesh.faults.begin(), mesh.faults.end(), name);
     std::cout << (is_fault ? "fault            " : "boundary         ") << name << ": "
-              << facets.size() << " facets, " << asperity::mesh::boundaryVertices(mesh, name).size()
+              << facets.size() << " facets, " << mesh::boundaryVertices(mesh, name).size()
               << " vertices, " << (is_fault ? tips(mesh, name) : "") << "shortest edge "
-              << formatShort(asperity::mesh::shortestEdge(mesh, name)) << " m\n";
+              << formatShort(mesh::shortestEdge(mesh, name)) << " m\n";
   }
 }
 } // namespace
@@ -96,3 +95,4 @@ void printInfo(Arguments& arguments)
     printNames(mesh);
   });
 }
+} // namespace asperity::geometry

@@ -7,12 +7,14 @@
 #include <iostream>
 #include <optional>
 
+namespace asperity::geometry
+{
 // Writes the file and prints how large the mesh is, and `more`.
 template <int Dim>
-void writeAndReport(asperity::GlobalMesh<Dim> const& mesh, std::string const& file_name,
+void writeAndReport(GlobalMesh<Dim> const& mesh, std::string const& file_name,
                     std::string const& more = "")
 {
-  asperity::mesh::writeMesh(mesh, file_name);
+  mesh::writeMesh(mesh, file_name);
   std::cout << file_name << ": " << mesh.vertices.size() << " vertices, " << mesh.cells.size()
             << " cells" << more << '\n';
 }
@@ -23,20 +25,20 @@ void writeAndReport(asperity::GlobalMesh<Dim> const& mesh, std::string const& fi
 template <class Work>
 void withMesh(std::string const& file_name, Work const& work)
 {
-  std::optional<asperity::mesh::PartitionSummary> parts;
-  if (asperity::mesh::isPartitioned(file_name)) {
-    parts = asperity::mesh::partitionSummary(file_name);
+  std::optional<mesh::PartitionSummary> parts;
+  if (mesh::isPartitioned(file_name)) {
+    parts = mesh::partitionSummary(file_name);
   }
   const auto read = [&](auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
-    auto mesh =
-      parts ? asperity::mesh::readParts<Dim>(file_name) : asperity::mesh::readMesh<Dim>(file_name);
-    asperity::mesh::splitFaults(mesh, "Mesh file '" + file_name + "'");
+    auto mesh = parts ? mesh::readParts<Dim>(file_name) : mesh::readMesh<Dim>(file_name);
+    mesh::splitFaults(mesh, "Mesh file '" + file_name + "'");
     work(mesh, parts);
   };
-  if ((parts ? parts->dimension : asperity::mesh::meshDimension(file_name)) == 2) {
+  if ((parts ? parts->dimension : mesh::meshDimension(file_name)) == 2) {
     read(std::integral_constant<int, 2>());
   } else {
     read(std::integral_constant<int, 3>());
   }
 }
+} // namespace asperity::geometry

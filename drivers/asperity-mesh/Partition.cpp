@@ -4,6 +4,8 @@
 
 #include "base/Errors.hpp"
 
+namespace asperity::geometry
+{
 void partition(Arguments& arguments)
 {
   Partitioning partitioning;
@@ -20,6 +22,7 @@ void partition(Arguments& arguments)
   partitioning.check();
   arguments.requireNew(target);
   withMesh(arguments.file(0), [&](auto const& mesh, auto const& parts) {
-    partitioning.write(mesh, parts ? parts->options : asperity::mesh::PartitionOptions(), target);
+    partitioning.write(mesh, parts ? parts->options : mesh::PartitionOptions(), target);
   });
 }
+} // namespace asperity::geometry

@@ -7,11 +7,11 @@
 
 #include <iostream>
 
-using asperity::formatShort;
-
+namespace asperity::geometry
+{
 void Partitioning::declare(Arguments& arguments)
 {
-  const std::string usual = std::to_string(asperity::mesh::PartitionOptions().boundary_weight);
+  const std::string usual = std::to_string(mesh::PartitionOptions().boundary_weight);
   arguments.number("--parts", num_parts_, "number of ranks that are to read the mesh")
     .number("--boundary-weight", weight_,
             "how often the vertices of the boundary count in the balance (" + usual + ")")
@@ -30,27 +30,28 @@ void Partitioning::check() const
 }
 
 template <int Dim>
-void Partitioning::write(asperity::GlobalMesh<Dim> const& split,
-                         asperity::mesh::PartitionOptions options, std::string const& target) const
+void Partitioning::write(GlobalMesh<Dim> const& split, mesh::PartitionOptions options,
+                         std::string const& target) const
 {
   const int number = *num_parts_;
   options.boundary = boundary_.empty() ? options.boundary : boundary_;
   options.boundary_weight = weight_.value_or(options.boundary_weight);
-  const auto owners = asperity::mesh::partitionVertices(split, number, options);
-  asperity::mesh::writeParts(split, owners, number, options, target);
+  const auto owners = mesh::partitionVertices(split, number, options);
+  mesh::writeParts(split, owners, number, options, target);
   std::cout << target << ": " << number << (number == 1 ? " part of " : " parts of ")
             << split.vertices.size() << " vertices, " << split.cells.size() << " cells\n"
             << "largest part over the mean: all vertices "
-            << formatShort(asperity::mesh::imbalance(owners, number));
+            << formatShort(mesh::imbalance(owners, number));
   if (!options.boundary.empty()) {
-    const auto vertices = asperity::mesh::boundaryVertices(split, options.boundary);
+    const auto vertices = mesh::boundaryVertices(split, options.boundary);
     std::cout << ", those of boundary " << options.boundary << ' '
-              << formatShort(asperity::mesh::imbalance(owners, number, vertices));
+              << formatShort(mesh::imbalance(owners, number, vertices));
   }
   std::cout << '\n';
 }
 
-template void Partitioning::write(asperity::GlobalMesh<2> const&, asperity::mesh::PartitionOptions,
+template void Partitioning::write(GlobalMesh<2> const&, mesh::PartitionOptions,
                                   std::string const&) const;
-template void Partitioning::write(asperity::GlobalMesh<3> const&, asperity::mesh::PartitionOptions,
+template void Partitioning::write(GlobalMesh<3> const&, mesh::PartitionOptions,
                                   std::string const&) const;
+} // namespace asperity::geometry

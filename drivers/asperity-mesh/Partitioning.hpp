@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+namespace asperity::geometry
+{
 // The options by which a command divides a mesh into parts for ranks.
 class Partitioning
 {
@@ -22,10 +24,11 @@ public:
   // Divides a mesh that is split along its faults, writes the parts and prints how even they are.
   // `former`: what the options replace.
   template <int Dim>
-  void write(asperity::GlobalMesh<Dim> const& split, asperity::mesh::PartitionOptions former,
+  void write(GlobalMesh<Dim> const& split, mesh::PartitionOptions former,
              std::string const& target) const;
 
 private:
   std::optional<int> num_parts_, weight_;
   std::string boundary_;
 };
+} // namespace asperity::geometry

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <string>
 
+namespace asperity::geometry
+{
 // A new folder beside a file that is to be made, which goes with this object.
 class TemporaryFolder
 {
@@ -32,3 +34,4 @@ public:
 private:
   std::string path_;
 };
+} // namespace asperity::geometry

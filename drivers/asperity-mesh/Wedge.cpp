@@ -6,18 +6,19 @@
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
 
+namespace asperity::geometry
+{
 namespace
 {
 // "0.05 to 0.25, 0.35 to 0.55"
 std::vector<std::array<double, 2>> patchesFrom(std::string const& text)
 {
   std::vector<std::array<double, 2>> patches;
-  for (auto const& piece : asperity::split(text, ',')) {
+  for (auto const& piece : split(text, ',')) {
     const auto middle = piece.find(" to ");
-    const auto low = asperity::readNumber(asperity::trimmed(piece.substr(0, middle)));
-    const auto high = middle == std::string::npos
-                        ? std::nullopt
-                        : asperity::readNumber(asperity::trimmed(piece.substr(middle + 4)));
+    const auto low = readNumber(trimmed(piece.substr(0, middle)));
+    const auto high =
+      middle == std::string::npos ? std::nullopt : readNumber(trimmed(piece.substr(middle + 4)));
     ASPERITY_REQUIRE(low && high, "Option --patches: '" << piece << "' is no interval of z. Write "
                                                         << "'0.05 to 0.25, 0.35 to 0.55'.");
     patches.push_back({*low, *high});
@@ -28,8 +29,8 @@ std::vector<std::array<double, 2>> patchesFrom(std::string const& text)
 
 void makeWedge(Arguments& arguments)
 {
-  asperity::mesh::WedgeShape shape;
-  asperity::mesh::DeepWedge deep;
+  mesh::WedgeShape shape;
+  mesh::DeepWedge deep;
   std::optional<double> depth;
   std::optional<int> layers;
   std::string patches;
@@ -61,7 +62,7 @@ void makeWedge(Arguments& arguments)
                          : deep.is_periodic ? "--periodic"
                                             : nullptr;
     ASPERITY_REQUIRE(option == nullptr, "Option " << option << " needs --depth too.");
-    return writeAndReport(asperity::mesh::wedgeMesh(shape), file_name);
+    return writeAndReport(mesh::wedgeMesh(shape), file_name);
   }
   deep.depth = *depth;
   if (!layers) {
@@ -74,7 +75,8 @@ void makeWedge(Arguments& arguments)
                                     "layers are all alike.");
   auto mesh = layeredWedgeMesh(shape, deep.depth, *layers);
   if (deep.is_periodic) {
-    asperity::mesh::makePeriodic(mesh, 2, "front", "back");
+    mesh::makePeriodic(mesh, 2, "front", "back");
   }
   writeAndReport(mesh, file_name);
 }
+} // namespace asperity::geometry

@@ -13,7 +13,7 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr double rounding = 1e-6; // of the diagonal of the box
+constexpr double weld_share = 1e-6; // of the diagonal of the box
 
 Point<3> middleOf(Complex const& complex, Edge const& edge)
 {
@@ -35,7 +35,7 @@ Arranged arrangeModel(Model model, ArrangementOptions const& options, SizeFromFa
   auto arrangement = arrange(model.surfaces);
   result.dropped = keepBody(arrangement, model, is_moved, options.stub_share);
   result.complex = std::move(arrangement.complex);
-  removeRounding(result.complex, rounding * mesh::distance<3>(model.box.low, model.box.high));
+  removeRounding(result.complex, weld_share * mesh::distance<3>(model.box.low, model.box.high));
   if (options.short_share > 0) {
     const auto size = sizes(result.complex);
     result.num_contracted = contractShortEdges(result.complex, model, [&](Point<3> const& place) {

@@ -1,6 +1,6 @@
 #include "arrangement/CheckedSurface.hpp"
 
-#include "arrangement/Sheets.hpp"
+#include "arrangement/SurfaceSheets.hpp"
 
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"

@@ -8,8 +8,6 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr double sharp_turn = 0.5; // cosine
-
 class Walk
 {
 public:

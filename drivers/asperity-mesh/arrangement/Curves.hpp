@@ -4,6 +4,8 @@
 
 namespace asperity::geometry
 {
+constexpr double sharp_turn = 0.5; // cosine of the turn of a curve that makes a corner
+
 // A line along which surfaces meet, or a surface ends. It has the same surfaces all along.
 struct Curve
 {

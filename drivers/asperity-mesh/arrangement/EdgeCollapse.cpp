@@ -1,5 +1,7 @@
 #include "arrangement/EdgeCollapse.hpp"
 
+#include "arrangement/Curves.hpp"
+
 #include "mesh/SimplexGeometry.hpp"
 
 #include <set>
@@ -8,8 +10,6 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr double sharp_turn = 0.5; // cosine of the turn of a curve that makes a corner
-
 double norm(Point<3> const& v) { return std::sqrt(mesh::dot<3>(v, v)); }
 
 enum class Place

@@ -5,6 +5,8 @@
 #include <set>
 #include <utility>
 
+namespace asperity::geometry
+{
 std::vector<std::vector<int>> const& sidesOf(int dimension, int num_corners)
 {
   using Sides = std::vector<std::vector<int>>;
@@ -64,3 +66,4 @@ std::vector<std::vector<int>> simplicesOf(int dimension, std::vector<int> const&
   }
   return result;
 }
+} // namespace asperity::geometry

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace asperity::geometry
+{
 // The shapes of cells in other programs, by dimension and number of corners: in the plane triangle
 // (3) and quadrilateral (4); in space tetrahedron (4), pyramid (5), prism (6) and hexahedron (8).
 // Corners are in the order of Gmsh, VTK, Exodus and Abaqus: the base, then what is above it.
@@ -25,3 +27,4 @@ std::string shapeName(int dimension, int num_corners); // "hexahedron"
 // oriented as what is cut. One simplex stays as it is; one with a vertex twice, of a cell whose
 // corners coincide, is left out.
 std::vector<std::vector<int>> simplicesOf(int dimension, std::vector<int> const& corners);
+} // namespace asperity::geometry

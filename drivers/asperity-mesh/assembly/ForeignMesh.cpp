@@ -1,10 +1,10 @@
 #include "ForeignMesh.hpp"
 
+#include "FaultSheets.hpp"
+#include "GroupNames.hpp"
 #include "SharedFacets.hpp"
-#include "Sheets.hpp"
 
-#include "../GmshGroups.hpp"
-#include "../GmshSession.hpp"
+#include "../Warnings.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
@@ -13,9 +13,8 @@
 #include <algorithm>
 #include <cmath>
 
-using asperity::GlobalMesh;
-using asperity::Point;
-
+namespace asperity::geometry
+{
 int ForeignMesh::region(std::string const& name)
 {
   const auto found = std::find(region_names.begin(), region_names.end(), name);
@@ -89,9 +88,9 @@ public:
     readVertices();
     cutCells();
     readBoundaries();
-    asperity::mesh::orientCells(mesh_);
-    asperity::mesh::orientFacets(mesh_);
-    asperity::mesh::checkMesh(mesh_, where_);
+    mesh::orientCells(mesh_);
+    mesh::orientFacets(mesh_);
+    mesh::checkMesh(mesh_, where_);
     warnOfMiddleNodes();
     separate();
     return std::move(mesh_);
@@ -112,8 +111,7 @@ private:
       if (is_used[v]) {
         position_[v] = static_cast<int>(mesh_.vertices.size());
         mesh_.vertices.push_back(place(v));
-        size_ = std::max(
-          size_, asperity::mesh::distance<Dim>(mesh_.vertices.back(), mesh_.vertices.front()));
+        size_ = std::max(size_, mesh::distance<Dim>(mesh_.vertices.back(), mesh_.vertices.front()));
       }
     }
     for (std::size_t v = 0; v < is_used.size() && Dim == 2; ++v) {
@@ -153,8 +151,7 @@ private:
         auto& added = mesh_.cells.emplace_back();
         std::copy_n(simplex.begin(), Dim + 1, added.begin());
         mesh_.cell_regions.push_back(cell.region);
-        const double measure =
-          asperity::mesh::signedMeasure(asperity::mesh::corners<Dim>(mesh_.vertices, added));
+        const double measure = mesh::signedMeasure(mesh::corners<Dim>(mesh_.vertices, added));
         has_positive = has_positive || measure > 0;
         has_negative = has_negative || measure < 0;
       }
@@ -169,7 +166,7 @@ private:
   std::string text(ForeignMesh::Cell const& cell) const
   {
     const auto corner = place(static_cast<std::size_t>(cell.corners[0]));
-    return asperity::formatPoint({corner.begin(), corner.end()}) + " m";
+    return formatPoint({corner.begin(), corner.end()}) + " m";
   }
 
   void readBoundaries()
@@ -254,7 +251,7 @@ private:
           for (int d = 0; d < Dim; ++d) {
             middle[d] = 0.5 * (first[d] + second[d]);
           }
-          nearest = std::min(nearest, asperity::mesh::distance<Dim>(found, middle));
+          nearest = std::min(nearest, mesh::distance<Dim>(found, middle));
         }
       }
       largest = std::max(largest, nearest);
@@ -263,7 +260,7 @@ private:
       warn(where_ +
            ": its sides are curved or its nodes of second order are not in the middle of "
            "sides, by up to " +
-           asperity::formatShort(largest) + " m. The sides are straight now.");
+           formatShort(largest) + " m. The sides are straight now.");
     }
   }
 
@@ -285,3 +282,4 @@ GlobalMesh<Dim> assemble(ForeignMesh const& mesh, AssemblyOptions const& options
 
 template GlobalMesh<2> assemble(ForeignMesh const&, AssemblyOptions const&, std::string const&);
 template GlobalMesh<3> assemble(ForeignMesh const&, AssemblyOptions const&, std::string const&);
+} // namespace asperity::geometry

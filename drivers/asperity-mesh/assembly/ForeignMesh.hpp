@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+namespace asperity::geometry
+{
 // What convert does with a mesh, in whichever format it was.
 struct AssemblyOptions
 {
@@ -50,7 +52,7 @@ struct ForeignMesh
   static Side side(std::vector<int> const& corners);
 
   int dimension;
-  std::vector<asperity::Point<3>> vertices;
+  std::vector<Point<3>> vertices;
   std::vector<std::int64_t> numbers; // the file's own of vertices; empty if they are positions
   std::vector<Cell> cells;
   std::vector<std::string> region_names;
@@ -62,9 +64,10 @@ struct ForeignMesh
 // The mesh in m, which mesh::checkMesh accepts: of the vertices those that cells have, in their
 // order; cells and facets are oriented. A facet that a group has twice, as from both sides of a
 // fault, is taken once. A facet inside the body that two groups have stays in the smaller one, and
-// a fault of which more than two facets meet is divided into sheets (Sheets.hpp); both is told.
+// a fault of which more than two facets meet is divided into sheets (FaultSheets.hpp); both is told.
 // InputError, which starts with `where`, if cells are no linear simplices and are not to be cut, a
 // group to be left out is not there, or the mesh is wrong.
 template <int Dim>
-asperity::GlobalMesh<Dim> assemble(ForeignMesh const& mesh, AssemblyOptions const& options,
-                                   std::string const& where);
+GlobalMesh<Dim> assemble(ForeignMesh const& mesh, AssemblyOptions const& options,
+                         std::string const& where);
+} // namespace asperity::geometry

@@ -1,6 +1,6 @@
 #include "GroupNaming.hpp"
 
-#include "../GmshSession.hpp"
+#include "../Warnings.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+namespace asperity::geometry
+{
 GroupNaming::GroupNaming(GivenNames const& given, std::string option, std::string what, Maker make)
     : given_(given)
     , option_(std::move(option))
@@ -74,3 +76,4 @@ std::string boundaryName(std::string name)
   std::replace(name.begin(), name.end(), '/', '_');
   return name == "." ? "_" : name;
 }
+} // namespace asperity::geometry

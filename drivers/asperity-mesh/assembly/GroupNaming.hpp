@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../GmshGroups.hpp"
+#include "GroupNames.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+namespace asperity::geometry
+{
 // The names of groups that a file has by number, by name or both: those that the user gives, or
 // the file's own, or made from the number.
 class GroupNaming
@@ -39,3 +41,4 @@ private:
 // Names of boundaries that cannot be in a file of Asperity's: "." and those with '/', for which
 // others have '_'.
 std::string boundaryName(std::string name);
+} // namespace asperity::geometry

@@ -6,6 +6,8 @@
 #include <iostream>
 #include <map>
 
+namespace asperity::geometry
+{
 bool addNodeSet(ForeignMesh& mesh, std::string const& name, std::vector<int> const& nodes)
 {
   std::vector<bool> is_in(mesh.vertices.size(), false);
@@ -60,6 +62,7 @@ void tellOfEmptySets(std::vector<std::string> const& names)
 {
   if (!names.empty()) {
     std::cout << "sets of nodes that have no sides of cells, or whole cells, are left out: "
-              << asperity::quotedNames(names) << '\n';
+              << quotedNames(names) << '\n';
   }
 }
+} // namespace asperity::geometry

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace asperity::geometry
+{
 // Adds the group of those sides of cells whose corners are all in a set of nodes. Where a fault
 // bends, a set of its nodes may have all corners of a side on the outside, and a set of an outer
 // boundary those of a side within: of the two kinds, outside and inside, the more frequent one is
@@ -14,3 +16,4 @@ bool addNodeSet(ForeignMesh& mesh, std::string const& name, std::vector<int> con
 
 // Prints which sets were left out for that.
 void tellOfEmptySets(std::vector<std::string> const& names);
+} // namespace asperity::geometry

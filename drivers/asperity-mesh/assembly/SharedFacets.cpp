@@ -1,6 +1,6 @@
 #include "SharedFacets.hpp"
 
-#include "../GmshSession.hpp"
+#include "../Warnings.hpp"
 
 #include "base/Errors.hpp"
 
@@ -9,6 +9,8 @@
 #include <tuple>
 #include <vector>
 
+namespace asperity::geometry
+{
 namespace
 {
 template <std::size_t N>
@@ -19,11 +21,11 @@ std::array<int, N> sorted(std::array<int, N> facet)
 }
 
 template <int Dim>
-using Facet = typename asperity::GlobalMesh<Dim>::Facet;
+using Facet = typename GlobalMesh<Dim>::Facet;
 } // namespace
 
 template <int Dim>
-std::set<std::string> faultsOf(asperity::GlobalMesh<Dim> const& mesh)
+std::set<std::string> faultsOf(GlobalMesh<Dim> const& mesh)
 {
   std::vector<Facet<Dim>> sides; // of all cells, sorted
   sides.reserve(mesh.cells.size() * (Dim + 1));
@@ -49,7 +51,7 @@ std::set<std::string> faultsOf(asperity::GlobalMesh<Dim> const& mesh)
 }
 
 template <int Dim>
-void separateFaults(asperity::GlobalMesh<Dim>& mesh, std::set<std::string> const& faults,
+void separateFaults(GlobalMesh<Dim>& mesh, std::set<std::string> const& faults,
                     std::string const& where)
 {
   std::vector<std::string> ascending(faults.begin(), faults.end()); // by number of facets
@@ -84,9 +86,8 @@ void separateFaults(asperity::GlobalMesh<Dim>& mesh, std::set<std::string> const
   }
 }
 
-template std::set<std::string> faultsOf(asperity::GlobalMesh<2> const&);
-template std::set<std::string> faultsOf(asperity::GlobalMesh<3> const&);
-template void separateFaults(asperity::GlobalMesh<2>&, std::set<std::string> const&,
-                             std::string const&);
-template void separateFaults(asperity::GlobalMesh<3>&, std::set<std::string> const&,
-                             std::string const&);
+template std::set<std::string> faultsOf(GlobalMesh<2> const&);
+template std::set<std::string> faultsOf(GlobalMesh<3> const&);
+template void separateFaults(GlobalMesh<2>&, std::set<std::string> const&, std::string const&);
+template void separateFaults(GlobalMesh<3>&, std::set<std::string> const&, std::string const&);
+} // namespace asperity::geometry

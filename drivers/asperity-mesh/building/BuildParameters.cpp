@@ -141,6 +141,7 @@ Box boxFrom(ParameterList const& list, std::vector<NamedSurface> const& faults)
   return box;
 }
 
+// Walls and the bottom may share a name, and are one boundary then.
 BoxNames namesFrom(ParameterList const& box, std::vector<NamedSurface> const& faults)
 {
   BoxNames names;
@@ -151,15 +152,15 @@ BoxNames namesFrom(ParameterList const& box, std::vector<NamedSurface> const& fa
   const auto read = [&](std::string const& key, std::string& name) {
     name = box.get<std::string>(key);
     ASPERITY_REQUIRE(!name.empty() && std::count(known.begin(), known.end(), name) == 0,
-                     root << " / Box / " << key << " = '" << name
-                          << "' is empty, or the name of another surface.");
-    known.push_back(name);
+                     root << " / Box / " << key << " = '" << name << "' is empty, or the name of "
+                          << (key == "Ground" ? "another surface." : "a fault."));
   };
   read("West", names.west);
   read("East", names.east);
   read("South", names.south);
   read("North", names.north);
   read("Bottom", names.bottom);
+  known.insert(known.end(), {names.west, names.east, names.south, names.north, names.bottom});
   read("Ground", names.ground);
   return names;
 }

@@ -1,6 +1,6 @@
 #include "building/DeckEstimate.hpp"
 
-#include "GmshSession.hpp"
+#include "Warnings.hpp"
 #include "building/BuildReport.hpp"
 
 #include "base/Errors.hpp"
@@ -144,10 +144,11 @@ std::optional<dynamics::FaultResolution> resolutionOf(ParameterList const& deck,
 }
 
 // `where` begins messages, since the deck of the mesh has lists of the same names.
-RCP<ParameterList> readDeckOf(std::string const& name, std::string const& where)
+RCP<ParameterList> readDeckOf(BuildSettings const& settings, std::string const& where)
 {
   CommandLine command_line;
-  command_line.deck = name;
+  command_line.deck = settings.deck;
+  command_line.overlays = settings.overlays;
   try {
     return scenario::readCompleteDeck(command_line);
   } catch (InputError const& error) {
@@ -173,11 +174,11 @@ void reportSize(ParameterList const& deck, CellEstimate const& cells, std::ostre
 }
 } // namespace
 
-void reportDeck(std::string const& deck_name, Complex const& complex, BuildSettings const& settings,
-                CellSize const& size, CellEstimate const& cells, std::ostream& out)
+void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize const& size,
+                CellEstimate const& cells, std::ostream& out)
 {
-  const auto of = "deck '" + deck_name + "': ";
-  const auto deck = readDeckOf(deck_name, of);
+  const auto of = "deck '" + settings.deck + "': ";
+  const auto deck = readDeckOf(settings, of);
   ASPERITY_REQUIRE(scenario::BulkSettings::from(deck->sublist("Bulk")).components == components,
                    of << "its model has one or two components of displacement, and a mesh in space "
                          "needs Bulk / Model = Solid.");

@@ -7,11 +7,11 @@
 
 namespace asperity::geometry
 {
-// What a deck of `asperity` is to expect of the mesh: unknowns, memory and the time of a step, and
+// What the deck of the settings, with its overlays, is to expect of the mesh: unknowns, memory and the time of a step, and
 // how the size of cells compares with the cohesive zone, by the formulas that `asperity` uses.
 // Friction is evaluated on the faults as they are in the body. Warnings go to stderr.
 //
 // InputError if the deck is wrong, or names a boundary that the mesh will not have.
-void reportDeck(std::string const& deck, Complex const& complex, BuildSettings const& settings,
-                CellSize const& size, CellEstimate const& cells, std::ostream& out);
+void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize const& size,
+                CellEstimate const& cells, std::ostream& out);
 } // namespace asperity::geometry

@@ -15,6 +15,7 @@ struct ShortOptions
   std::string ground;              // FILE[,KEY=VALUE]...
   std::string units;               // of all files that name none
   std::string size, largest, growth, margin, depth, snap, projection, deck;
+  std::vector<std::string> overlays;    // of that deck
   std::vector<std::string> assignments; // "Path/To/Parameter=value"
 };
 

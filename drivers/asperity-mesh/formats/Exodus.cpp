@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+namespace asperity::geometry
+{
 // Exodus II, in classic netCDF or netCDF-4. Blocks of elements are connect1, connect2 ..., side
 // sets elem_ss1 and side_ss1 ..., node sets node_ns1 ...; their numbers are in eb_prop1, ss_prop1
 // and ns_prop1, their names in eb_names, ss_names and ns_names. All numbers begin with 1.
@@ -49,9 +51,9 @@ public:
   ExodusFile(std::string const& file_name, ReadOptions const& options)
       : where_("Mesh file '" + file_name + "'")
       , options_(options)
-      , file_(asperity::geometry::openNetcdf(file_name, "Mesh file"))
-      , region_names_(options.names.regions, "--region-names", "block", makerOf("region_"))
-      , boundary_names_(options.names.boundaries, "--names", "set", makerOf("boundary_"))
+      , file_(openNetcdf(file_name, "Mesh file"))
+      , region_names_(options.names.regions, regions_option, "block", makerOf("region_"))
+      , boundary_names_(options.names.boundaries, boundaries_option, "set", makerOf("boundary_"))
   {
   }
 
@@ -80,7 +82,7 @@ private:
   }
 
   template <int Dim>
-  asperity::GlobalMesh<Dim> finished()
+  GlobalMesh<Dim> finished()
   {
     auto result = assemble<Dim>(mesh_, options_.assembly, where_);
     region_names_.finish(where_);
@@ -147,8 +149,7 @@ private:
     for (double number : file_->numbers(name)) {
       ASPERITY_REQUIRE(number >= 1 && number <= static_cast<double>(count),
                        where_ << ": variable '" << name << "' has " << what << ' '
-                              << asperity::formatNumber(number) << ", outside [1, " << count
-                              << "].");
+                              << formatNumber(number) << ", outside [1, " << count << "].");
       result.push_back(static_cast<int>(number) - 1);
     }
     return result;
@@ -281,7 +282,7 @@ private:
 
   std::string where_;
   ReadOptions const& options_;
-  std::unique_ptr<asperity::geometry::NetcdfFile> file_;
+  std::unique_ptr<NetcdfFile> file_;
   GroupNaming region_names_, boundary_names_;
   ForeignMesh mesh_{3};
   std::vector<int> cell_of_element_; // -1 for elements that are no cells
@@ -300,3 +301,4 @@ public:
 } // namespace
 
 ASPERITY_REGISTER(MeshFormatRegistry, "Exodus", Exodus)
+} // namespace asperity::geometry

@@ -1,29 +1,42 @@
 #pragma once
 
-#include "../GmshGroups.hpp"
 #include "../assembly/ForeignMesh.hpp"
+#include "../assembly/GroupNames.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 #include "portability/Registry.hpp"
 
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
 
+namespace asperity::geometry
+{
 // A format of meshes that convert reads.
-using AnyMesh = std::variant<asperity::GlobalMesh<2>, asperity::GlobalMesh<3>>;
+using AnyMesh = std::variant<GlobalMesh<2>, GlobalMesh<3>>;
+
+// An option of convert that some formats alone have. Formats may share one.
+struct FormatOption
+{
+  std::string name, sample, meaning; // "--array", "NAME", a text for --help
+  bool may_repeat = false;
+};
 
 struct ReadOptions
 {
   GroupNames names; // of regions and boundaries in the file
   AssemblyOptions assembly;
-  std::vector<std::string> settings; // NAME=VALUE, for a geometry
-  std::string target;                // the file that convert writes
-  std::string array;                 // of a VTK file: the cell data that number the groups, or ""
+  std::string target; // the file that convert writes
+  // The values that are given for the format's own options; options that are not given are absent.
+  std::map<std::string, std::vector<std::string>> own;
+
+  std::vector<std::string> valuesOf(std::string const& option) const;
+  std::string valueOf(std::string const& option) const; // "" if it is not given
 };
 
 // Registered under its name at the end of the format's file, which is all that the format needs:
-//   ASPERITY_REGISTER(MeshFormatRegistry, "PUML", Puml)
+//   ASPERITY_REGISTER(MeshFormatRegistry, "Exodus", Exodus)
 class MeshFormat
 {
 public:
@@ -34,21 +47,25 @@ public:
   MeshFormat& operator=(MeshFormat const&) = delete;
 
   virtual std::vector<std::string> endings() const = 0; // of file names, as ".msh"
-  // Whether a file with this ending is a geometry, which takes settings.
-  virtual bool isGeometry(std::string const& /*ending*/) const { return false; }
+  virtual std::vector<FormatOption> ownOptions() const { return {}; }
 
   // A mesh in m that mesh::checkMesh accepts (assemble). It may have boundaries inside the body,
   // which are faults then. Remarks and warnings are printed. InputError, which names the file, if
   // it cannot be read or is wrong.
   virtual AnyMesh read(std::string const& file_name, ReadOptions const& options) const = 0;
 };
-using MeshFormatRegistry = asperity::Registry<MeshFormat>;
+using MeshFormatRegistry = Registry<MeshFormat>;
 
 struct FoundFormat
 {
+  std::string name;
   MeshFormat const* format;
-  std::string ending;
 };
 // By the longest ending of the file's name, in lower or upper case; InputError if none fits.
 FoundFormat formatOf(std::string const& file_name);
 std::vector<std::string> knownEndings(); // sorted
+std::string knownFormats();              // "Abaqus (.inp), Exodus (.e, .ex2, .exo) or ..."
+
+// Whether a file's name ends with this, in lower or upper case.
+bool hasEnding(std::string const& file_name, std::string const& ending);
+} // namespace asperity::geometry

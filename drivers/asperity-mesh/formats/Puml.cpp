@@ -16,9 +16,8 @@
 #include <type_traits>
 #include <vector>
 
-namespace h5 = asperity::h5;
-using asperity::GlobalMesh;
-
+namespace asperity::geometry
+{
 namespace
 {
 // What SeisSol means by the code of a face; codes above 64 are further faults.
@@ -45,9 +44,9 @@ public:
       : where_("Mesh file '" + file_name + "'")
       , options_(options)
       , file_(h5::File::open(file_name))
-      , region_names_(options.names.regions, "--region-names", "group",
+      , region_names_(options.names.regions, regions_option, "group",
                       [](std::int64_t number) { return "region_" + std::to_string(number); })
-      , boundary_names_(options.names.boundaries, "--names", "face code", usualName)
+      , boundary_names_(options.names.boundaries, boundaries_option, "face code", usualName)
   {
   }
 
@@ -209,10 +208,11 @@ public:
     try {
       return PumlFile(file_name, options).mesh();
     } catch (h5::Error const& error) { // an error of this file's, not of one that is written
-      throw asperity::InputError("Mesh file '" + file_name + "' cannot be read. " + error.what());
+      throw InputError("Mesh file '" + file_name + "' cannot be read. " + error.what());
     }
   }
 };
 } // namespace
 
-ASPERITY_REGISTER(MeshFormatRegistry, "PUML", Puml)
+ASPERITY_REGISTER(MeshFormatRegistry, "PUML of SeisSol", Puml)
+} // namespace asperity::geometry

@@ -9,12 +9,11 @@
 #include <cctype>
 #include <sstream>
 
+namespace asperity::geometry
+{
 // VTK's legacy format, as text or binary (big-endian), of versions up to 5.1.
 namespace
 {
-using asperity::geometry::ByteOrder;
-using asperity::geometry::fromBytes;
-
 struct NumberType
 {
   char const* name;
@@ -47,7 +46,7 @@ class LegacyFile
 public:
   explicit LegacyFile(std::string const& file_name) : where_("Mesh file '" + file_name + "'")
   {
-    asperity::geometry::BinaryFile file(file_name, "Mesh file");
+    BinaryFile file(file_name, "Mesh file");
     text_.resize(file.size());
     file.read(text_.data(), text_.size());
   }
@@ -59,7 +58,7 @@ public:
       fail("'# vtk DataFile Version' is expected at the begin");
     }
     line(); // title
-    const auto form = lower(asperity::trimmed(line()));
+    const auto form = lower(trimmed(line()));
     is_binary_ = form == "binary";
     if (!is_binary_ && form != "ascii") {
       fail("ASCII or BINARY is expected, not '" + form + "'");
@@ -80,7 +79,7 @@ private:
 
   [[noreturn]] void fail(std::string const& message) const
   {
-    throw asperity::InputError(where_ + ", byte " + std::to_string(at_) + ": " + message + '.');
+    throw InputError(where_ + ", byte " + std::to_string(at_) + ": " + message + '.');
   }
 
   std::string line()
@@ -108,7 +107,7 @@ private:
   std::uint64_t count()
   {
     const auto text = word();
-    const auto value = asperity::readInteger(text);
+    const auto value = readInteger(text);
     if (!value || *value < 0) {
       fail("a number of values is expected, not '" + text + "'");
     }
@@ -142,7 +141,7 @@ private:
     }
     for (std::uint64_t i = 0; i < count; ++i) {
       const auto text = word();
-      const auto value = asperity::readNumber(text);
+      const auto value = readNumber(text);
       if (!value) {
         fail("a number is expected, not '" + text + "'");
       }
@@ -156,7 +155,7 @@ private:
     std::vector<std::int64_t> result;
     for (double value : numbers(type_name, count)) {
       if (!(std::abs(value) < 1e15)) {
-        fail("a whole number is expected, not " + asperity::formatNumber(value));
+        fail("a whole number is expected, not " + formatNumber(value));
       }
       result.push_back(static_cast<std::int64_t>(value));
     }
@@ -182,7 +181,7 @@ private:
       is_of_cells_ = name == "cell_data";
       num_data_ = count();
     } else if (name == "metadata") {
-      while (at_ < text_.size() && !asperity::trimmed(line()).empty()) {
+      while (at_ < text_.size() && !trimmed(line()).empty()) {
       }
     } else {
       readData(name);
@@ -260,7 +259,7 @@ private:
       word();
       numbers(is_binary_ ? "unsigned_char" : "float", product(4, count()));
     } else {
-      fail("section '" + asperity::excerpt(kind) + "' is not known");
+      fail("section '" + excerpt(kind) + "' is not known");
     }
   }
 
@@ -291,6 +290,7 @@ class Vtk final : public MeshFormat
 {
 public:
   std::vector<std::string> endings() const override { return {".vtk"}; }
+  std::vector<FormatOption> ownOptions() const override { return vtkOptions(); }
   AnyMesh read(std::string const& file_name, ReadOptions const& options) const override
   {
     LegacyFile file(file_name);
@@ -300,3 +300,4 @@ public:
 } // namespace
 
 ASPERITY_REGISTER(MeshFormatRegistry, "VTK", Vtk)
+} // namespace asperity::geometry

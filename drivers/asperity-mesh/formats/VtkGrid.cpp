@@ -1,6 +1,6 @@
 #include "VtkGrid.hpp"
 
-#include "../GmshSession.hpp"
+#include "../Warnings.hpp"
 #include "../assembly/GroupNaming.hpp"
 
 #include "base/Errors.hpp"
@@ -11,8 +11,12 @@
 #include <array>
 #include <cmath>
 
+namespace asperity::geometry
+{
 namespace
 {
+constexpr char const* array_option = "--array";
+
 // Of dimension, with as many corners; 0 corners: it is skipped.
 struct CellType
 {
@@ -37,14 +41,14 @@ public:
       : grid_(grid)
       , options_(options)
       , where_(where)
-      , region_names_(options.names.regions, "--region-names", "number", makerOf("region_"))
-      , boundary_names_(options.names.boundaries, "--names", "number", makerOf("boundary_"))
+      , region_names_(options.names.regions, regions_option, "number", makerOf("region_"))
+      , boundary_names_(options.names.boundaries, boundaries_option, "number", makerOf("boundary_"))
   {
   }
 
   AnyMesh run()
   {
-    requireCounts();
+    requireCounts(grid_, where_);
     for (std::size_t i = 0; i + 2 < grid_.points.size(); i += 3) {
       mesh_.vertices.push_back({grid_.points[i], grid_.points[i + 1], grid_.points[i + 2]});
     }
@@ -66,7 +70,7 @@ private:
   }
 
   template <int Dim>
-  asperity::GlobalMesh<Dim> finished()
+  GlobalMesh<Dim> finished()
   {
     auto result = assemble<Dim>(mesh_, options_.assembly, where_);
     region_names_.finish(where_);
@@ -76,21 +80,6 @@ private:
            " beside its cells, and therefore no boundaries and faults.");
     }
     return result;
-  }
-
-  void requireCounts() const
-  {
-    ASPERITY_REQUIRE(grid_.offsets.size() == grid_.types.size(),
-                     where_ << " has " << grid_.offsets.size() << " cells, but types of "
-                            << grid_.types.size() << '.');
-    std::int64_t last = 0;
-    for (auto offset : grid_.offsets) {
-      ASPERITY_REQUIRE(offset >= last &&
-                         offset <= static_cast<std::int64_t>(grid_.connectivity.size()),
-                       where_ << ": the offset " << offset << " of a cell is outside [" << last
-                              << ", " << grid_.connectivity.size() << "].");
-      last = offset;
-    }
   }
 
   static bool isWhole(std::vector<double> const& values)
@@ -112,16 +101,16 @@ private:
         known.push_back(name);
       }
     }
+    const auto array = options_.valueOf(array_option);
     const auto has = [&](std::string const& name) {
       return std::find(known.begin(), known.end(), name) != known.end();
     };
-    if (!options_.array.empty()) {
-      ASPERITY_REQUIRE(has(options_.array), "Option --array "
-                                              << options_.array << ": " << where_
-                                              << " has no such cell data with whole numbers, only "
-                                              << asperity::quotedNames(known) << '.'
-                                              << asperity::didYouMean(options_.array, known));
-      return grid_.cell_data.at(options_.array);
+    if (!array.empty()) {
+      ASPERITY_REQUIRE(has(array), "Option " << array_option << " " << array << ": " << where_
+                                             << " has no such cell data with whole numbers, only "
+                                             << quotedNames(known) << '.'
+                                             << didYouMean(array, known));
+      return grid_.cell_data.at(array);
     }
     for (auto const* name : usual) {
       if (has(name)) {
@@ -129,7 +118,7 @@ private:
       }
     }
     ASPERITY_REQUIRE(known.size() <= 1, where_ << " has several cell data with whole numbers, "
-                                               << asperity::quotedNames(known)
+                                               << quotedNames(known)
                                                << ". Give --array NAME for those of the groups.");
     return known.empty() ? std::vector<double>() : grid_.cell_data.at(known.front());
   }
@@ -191,7 +180,28 @@ private:
 };
 } // namespace
 
+void requireCounts(VtkGrid const& grid, std::string const& where)
+{
+  ASPERITY_REQUIRE(grid.offsets.size() == grid.types.size(), where << " has " << grid.offsets.size()
+                                                                   << " cells, but types of "
+                                                                   << grid.types.size() << '.');
+  std::int64_t last = 0;
+  for (auto offset : grid.offsets) {
+    ASPERITY_REQUIRE(offset >= last &&
+                       offset <= static_cast<std::int64_t>(grid.connectivity.size()),
+                     where << ": the offset " << offset << " of a cell is outside [" << last << ", "
+                           << grid.connectivity.size() << "].");
+    last = offset;
+  }
+}
+
+std::vector<FormatOption> vtkOptions()
+{
+  return {{array_option, "NAME", "cell data with the numbers of regions and boundaries"}};
+}
+
 AnyMesh meshOf(VtkGrid const& grid, ReadOptions const& options, std::string const& where)
 {
   return Conversion(grid, options, where).run();
 }
+} // namespace asperity::geometry

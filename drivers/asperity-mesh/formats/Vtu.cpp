@@ -1,336 +1,106 @@
 #include "VtkGrid.hpp"
+#include "VtkPieces.hpp"
+#include "VtkXml.hpp"
 
-#include "../surfaces/files/BinaryFile.hpp"
-
-#include "base/Errors.hpp"
 #include "base/Text.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <filesystem>
+#include <iterator>
 
-#ifdef ASPERITY_HAVE_ZLIB
-#include <zlib.h>
-#endif
-
-// VTK's XML format of unstructured grids: data as text, in base64 or appended as they are, also
-// compressed by zlib. Only what such files have of XML is read, since appended data are no XML.
+// Unstructured grids of VTK's XML format: .vtu, of one or several pieces, and .pvtu, which names
+// the files of the pieces.
+namespace asperity::geometry
+{
 namespace
 {
-using asperity::geometry::ByteOrder;
-using asperity::geometry::fromBytes;
-
-struct Tag
+std::vector<std::int64_t> wholeNumbers(std::vector<double> const& values, std::string const& name,
+                                       VtkXml const& file)
 {
-  std::string name; // "/Points" for its end
-  std::map<std::string, std::string> attributes;
-  std::size_t end = 0; // of the byte behind it
-
-  std::string attribute(std::string const& key, std::string const& without = "") const
-  {
-    const auto found = attributes.find(key);
-    return found == attributes.end() ? without : found->second;
+  std::vector<std::int64_t> result;
+  for (double value : values) {
+    file.require(std::abs(value) < 1e15, "has a value " + formatNumber(value) + " in array '" +
+                                           name + "', which needs whole numbers");
+    result.push_back(static_cast<std::int64_t>(value));
   }
-};
-
-// The bytes of a text in base64 from a place on, up to `count` of them. Pieces that end with '='
-// may follow each other.
-std::string fromBase64(std::string const& text, std::size_t at, std::size_t count)
-{
-  static const std::string digits =
-    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int num_digits = 0, num_padding = 0;
-  for (; at < text.size() && bytes.size() < count; ++at) {
-    const auto digit = digits.find(text[at]);
-    if (digit == std::string::npos && text[at] != '=') {
-      if (text[at] == '<') {
-        break;
-      }
-      continue; // a blank
-    }
-    num_padding += text[at] == '=' ? 1 : 0;
-    bits = (bits << 6) | (text[at] == '=' ? 0 : static_cast<std::uint32_t>(digit));
-    if (++num_digits == 4) {
-      for (int shift = 16; shift >= 8 * num_padding; shift -= 8) {
-        bytes.push_back(static_cast<char>((bits >> shift) & 255));
-      }
-      bits = 0;
-      num_digits = num_padding = 0;
-    }
-  }
-  bytes.resize(std::min(bytes.size(), count));
-  return bytes;
+  return result;
 }
 
-class XmlFile
+void readArray(VtkXml const& file, std::string const& section, VtkXml::Tag const& tag,
+               VtkGrid& grid)
 {
-public:
-  explicit XmlFile(std::string const& file_name) : where_("Mesh file '" + file_name + "'")
-  {
-    asperity::geometry::BinaryFile file(file_name, "Mesh file");
-    text_.resize(file.size());
-    file.read(text_.data(), text_.size());
-  }
-  std::string const& where() const { return where_; }
-
-  VtkGrid grid()
-  {
-    findAppended();
-    std::string section;
-    bool is_whole = false;
-    for (auto tag = next(0); !tag.name.empty() && tag.name != "AppendedData"; tag = next(tag.end)) {
-      is_whole = is_whole || tag.name == "/UnstructuredGrid";
-      if (tag.name == "VTKFile") {
-        readFileTag(tag);
-      } else if (tag.name == "Piece") {
-        require(++num_pieces_ == 1, "has several pieces. Merge them, as with ParaView's filter "
-                                    "'Merge Blocks' or 'Append Datasets'");
-      } else if (tag.name == "DataArray") {
-        readArray(section, tag);
-      } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "CellData" ||
-                 tag.name == "PointData") {
-        section = tag.name;
-      }
+  const auto name = tag.attribute("Name");
+  if (section == "Points") {
+    grid.points = file.valuesOf(tag);
+  } else if (section == "CellData") {
+    if (tag.attribute("type") != "String" && tag.attribute("NumberOfComponents", "1") == "1") {
+      grid.cell_data[name] = file.valuesOf(tag);
     }
-    require(is_unstructured_ && is_whole,
-            "is no whole file of VTK's type UnstructuredGrid: it is cut or of another type");
-    return std::move(grid_);
+  } else if (section == "Cells" && name == "connectivity") {
+    grid.connectivity = wholeNumbers(file.valuesOf(tag), name, file);
+  } else if (section == "Cells" && name == "offsets") {
+    grid.offsets = wholeNumbers(file.valuesOf(tag), name, file);
+  } else if (section == "Cells" && name == "types") {
+    grid.types = wholeNumbers(file.valuesOf(tag), name, file);
   }
+}
 
-private:
-  void require(bool condition, std::string const& message) const
-  {
-    ASPERITY_REQUIRE(condition, where_ << ' ' << message << '.');
-  }
-
-  // The next tag from a place on; without a name if there is none.
-  Tag next(std::size_t at) const
-  {
-    Tag tag;
-    const auto begin = text_.find('<', at), limit = std::min(text_.size(), appended_);
-    const auto end = begin >= limit ? std::string::npos : text_.find('>', begin);
-    if (begin >= limit || end == std::string::npos) {
-      return tag;
-    }
-    tag.end = end + 1;
-    const auto inside = text_.substr(begin + 1, end - begin - 1);
-    const auto blank = inside.find_first_of(" \t\r\n");
-    tag.name = inside.substr(0, blank);
-    for (auto key = blank; key != std::string::npos && key < inside.size();) {
-      const auto equals = inside.find('=', key);
-      const auto open = equals == std::string::npos ? equals : inside.find_first_of("\"'", equals);
-      const auto close = open == std::string::npos ? open : inside.find(inside[open], open + 1);
-      if (close == std::string::npos) {
-        break;
-      }
-      tag.attributes[asperity::trimmed(inside.substr(key, equals - key))] =
-        inside.substr(open + 1, close - open - 1);
-      key = close + 1;
-    }
-    tag.name = tag.name.empty() ? "?" : tag.name;
-    return tag;
-  }
-
-  // Appended data begin behind '_'.
-  void findAppended()
-  {
-    const auto found = text_.find("<AppendedData");
-    if (found != std::string::npos) {
-      const auto tag = next(found);
-      const auto mark = text_.find('_', tag.end);
-      require(!tag.name.empty() && mark != std::string::npos, "has appended data without '_'");
-      is_base64_ = tag.attribute("encoding") == "base64";
-      appended_ = mark + 1;
+std::vector<VtkGrid> piecesOf(std::string const& file_name)
+{
+  const VtkXml file(file_name, "UnstructuredGrid");
+  std::vector<VtkGrid> pieces;
+  std::string section;
+  for (auto tag = file.next(0); !tag.name.empty() && tag.name != "AppendedData";
+       tag = file.next(tag.end)) {
+    if (tag.name == "Piece") {
+      pieces.emplace_back();
+    } else if (tag.name == "DataArray" && !pieces.empty()) {
+      readArray(file, section, tag, pieces.back());
+    } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "CellData" ||
+               tag.name == "PointData") {
+      section = tag.name;
     }
   }
-
-  void readFileTag(Tag const& tag)
-  {
-    is_unstructured_ = tag.attribute("type") == "UnstructuredGrid";
-    order_ = tag.attribute("byte_order") == "BigEndian" ? ByteOrder::big : ByteOrder::little;
-    size_of_count_ = tag.attribute("header_type", "UInt32") == "UInt64" ? 8 : 4;
-    const auto compressor = tag.attribute("compressor");
-    is_compressed_ = !compressor.empty();
-    require(!is_compressed_ || compressor == "vtkZLibDataCompressor",
-            "is compressed by " + compressor + ". Save it with zlib or without compression");
-  }
-
-  void readArray(std::string const& section, Tag const& tag)
-  {
-    const auto name = tag.attribute("Name");
-    const bool is_needed = section == "Points" || section == "Cells" ||
-                           (section == "CellData" && tag.attribute("type") != "String" &&
-                            tag.attribute("NumberOfComponents", "1") == "1");
-    if (!is_needed) {
-      return;
-    }
-    auto values = valuesOf(tag, name);
-    if (section == "Points") {
-      grid_.points = std::move(values);
-    } else if (section == "CellData") {
-      grid_.cell_data[name] = std::move(values);
-    } else if (name == "connectivity" || name == "offsets" || name == "types") {
-      auto& target = name == "connectivity" ? grid_.connectivity
-                     : name == "offsets"    ? grid_.offsets
-                                            : grid_.types;
-      target.clear();
-      for (double value : values) {
-        require(std::abs(value) < 1e15, "has a value " + asperity::formatNumber(value) +
-                                          " in array '" + name + "', which needs whole numbers");
-        target.push_back(static_cast<std::int64_t>(value));
-      }
-    }
-  }
-
-  std::vector<double> valuesOf(Tag const& tag, std::string const& name) const
-  {
-    const auto format = tag.attribute("format");
-    if (format == "ascii") {
-      return fromText(tag.end, name);
-    }
-    const bool is_appended = format == "appended";
-    require(is_appended || format == "binary",
-            "has array '" + name + "' of unknown format '" + format + "'");
-    auto at = tag.end;
-    if (is_appended) {
-      const auto offset = asperity::readNumber(tag.attribute("offset"));
-      require(appended_ < text_.size() && offset && *offset >= 0 &&
-                *offset < static_cast<double>(text_.size() - appended_),
-              "has array '" + name + "' whose offset is not in the file");
-      at = appended_ + static_cast<std::size_t>(*offset);
-    }
-    return fromBinary(is_compressed_ ? inflated(at, is_appended, name)
-                                     : plain(at, is_appended, name),
-                      tag.attribute("type"), name);
-  }
-
-  std::vector<double> fromText(std::size_t at, std::string const& name) const
-  {
-    const auto end = text_.find('<', at);
-    std::istringstream words(text_.substr(at, end == std::string::npos ? end : end - at));
-    std::vector<double> values;
-    for (std::string word; words >> word;) {
-      const auto value = asperity::readNumber(word);
-      require(value.has_value(), "has '" + asperity::excerpt(word) + "' in array '" + name +
-                                   "', where a number is expected");
-      values.push_back(*value);
-    }
-    return values;
-  }
-
-  // The first bytes of the data that begin there.
-  std::string bytes(std::size_t at, bool is_appended, std::size_t count,
-                    std::string const& name) const
-  {
-    require(count <= text_.size(), "is too short for array '" + name + "'");
-    auto result =
-      is_appended && !is_base64_ ? text_.substr(at, count) : fromBase64(text_, at, count);
-    require(result.size() == count, "is too short for array '" + name + "'");
-    return result;
-  }
-
-  std::uint64_t countAt(std::string const& header, std::size_t place) const
-  {
-    auto const* at = &header[place * size_of_count_];
-    return size_of_count_ == 8 ? fromBytes<std::uint64_t>(at, order_)
-                               : fromBytes<std::uint32_t>(at, order_);
-  }
-
-  std::string plain(std::size_t at, bool is_appended, std::string const& name) const
-  {
-    const auto size = countAt(bytes(at, is_appended, size_of_count_, name), 0);
-    require(size <= text_.size(), "is too short for array '" + name + "'");
-    return bytes(at, is_appended, size_of_count_ + size, name).substr(size_of_count_);
-  }
-
-  // Blocks: their number, the size of each but the last one, of the last one if it is smaller, and
-  // the compressed sizes.
-  std::string inflated([[maybe_unused]] std::size_t at, [[maybe_unused]] bool is_appended,
-                       std::string const& name) const
-  {
-#ifdef ASPERITY_HAVE_ZLIB
-    const auto num_blocks = countAt(bytes(at, is_appended, size_of_count_, name), 0);
-    require(num_blocks < text_.size(), "is too short for array '" + name + "'");
-    const auto header_size = (3 + num_blocks) * size_of_count_;
-    const auto header = bytes(at, is_appended, header_size, name);
-    std::uint64_t all = header_size;
-    for (std::uint64_t i = 0; i < num_blocks; ++i) {
-      const auto size = countAt(header, 3 + i);
-      require(size <= text_.size() && all <= text_.size(), "is too short for array '" + name + "'");
-      all += size;
-    }
-    const auto packed = bytes(at, is_appended, all, name);
-    const auto last = countAt(header, 2);
-    std::string result;
-    std::size_t from = header_size;
-    for (std::uint64_t i = 0; i < num_blocks; ++i) {
-      const auto size = static_cast<std::size_t>(countAt(header, 3 + i));
-      uLongf room = i + 1 == num_blocks && last > 0 ? last : countAt(header, 1);
-      constexpr std::uint64_t most = 1100; // zlib packs no better than by this factor
-      require(room / most <= size, "has array '" + name + "', whose sizes are damaged");
-      std::string block(room, '\0');
-      const int status =
-        uncompress(reinterpret_cast<Bytef*>(block.data()), &room,
-                   reinterpret_cast<Bytef const*>(&packed[from]), static_cast<uLong>(size));
-      require(status == Z_OK && room == block.size(),
-              "has array '" + name + "', which cannot be decompressed: it is damaged");
-      result += block;
-      from += size;
-    }
-    return result;
-#else
-    require(false, "has compressed data ('" + name + "'), and this program was built without zlib");
-    return "";
-#endif
-  }
-
-  template <class Number>
-  std::vector<double> numbers(std::string const& data) const
-  {
-    std::vector<double> values;
-    for (std::size_t i = 0; i + sizeof(Number) <= data.size(); i += sizeof(Number)) {
-      values.push_back(static_cast<double>(fromBytes<Number>(&data[i], order_)));
-    }
-    return values;
-  }
-
-  std::vector<double> fromBinary(std::string const& data, std::string const& type,
-                                 std::string const& name) const
-  {
-    using Reader = std::vector<double> (XmlFile::*)(std::string const&) const;
-    static const std::map<std::string, Reader> readers = {
-      {"Int8", &XmlFile::numbers<std::int8_t>},   {"UInt8", &XmlFile::numbers<std::uint8_t>},
-      {"Int16", &XmlFile::numbers<std::int16_t>}, {"UInt16", &XmlFile::numbers<std::uint16_t>},
-      {"Int32", &XmlFile::numbers<std::int32_t>}, {"UInt32", &XmlFile::numbers<std::uint32_t>},
-      {"Int64", &XmlFile::numbers<std::int64_t>}, {"UInt64", &XmlFile::numbers<std::uint64_t>},
-      {"Float32", &XmlFile::numbers<float>},      {"Float64", &XmlFile::numbers<double>}};
-    const auto found = readers.find(type);
-    require(found != readers.end(),
-            "has array '" + name + "' of type '" + type + "', which cannot be read");
-    return (this->*found->second)(data);
-  }
-
-  std::string where_, text_;
-  std::size_t appended_ = std::string::npos; // where appended data begin
-  bool is_base64_ = false, is_compressed_ = false, is_unstructured_ = false;
-  std::size_t size_of_count_ = 4; // [bytes]
-  ByteOrder order_ = ByteOrder::little;
-  int num_pieces_ = 0;
-  VtkGrid grid_;
-};
+  file.require(!pieces.empty(), "has no piece");
+  return pieces;
+}
 
 class Vtu final : public MeshFormat
 {
 public:
   std::vector<std::string> endings() const override { return {".vtu"}; }
+  std::vector<FormatOption> ownOptions() const override { return vtkOptions(); }
   AnyMesh read(std::string const& file_name, ReadOptions const& options) const override
   {
-    XmlFile file(file_name);
-    return meshOf(file.grid(), options, file.where());
+    const auto where = "Mesh file '" + file_name + "'";
+    return meshOf(joined(piecesOf(file_name), where), options, where);
+  }
+};
+
+class Pvtu final : public MeshFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".pvtu"}; }
+  std::vector<FormatOption> ownOptions() const override { return vtkOptions(); }
+  AnyMesh read(std::string const& file_name, ReadOptions const& options) const override
+  {
+    const VtkXml file(file_name, "PUnstructuredGrid");
+    const auto folder = std::filesystem::path(file_name).parent_path();
+    std::vector<VtkGrid> pieces;
+    for (auto tag = file.next(0); !tag.name.empty(); tag = file.next(tag.end)) {
+      if (tag.name == "Piece") {
+        const auto source = tag.attribute("Source");
+        file.require(!source.empty(), "has a piece without Source, the name of its file");
+        auto more = piecesOf((folder / source).string());
+        std::move(more.begin(), more.end(), std::back_inserter(pieces));
+      }
+    }
+    file.require(!pieces.empty(), "names no pieces");
+    return meshOf(joined(std::move(pieces), file.where()), options, file.where());
   }
 };
 } // namespace
 
 ASPERITY_REGISTER(MeshFormatRegistry, "VTU", Vtu)
+ASPERITY_REGISTER(MeshFormatRegistry, "VTU in several files", Pvtu)
+} // namespace asperity::geometry

@@ -1,5 +1,7 @@
 #include "meshing/MeshInGmsh.hpp"
 
+#include "GmshSession.hpp"
+
 #include "base/Errors.hpp"
 
 #include <gmsh.h>
@@ -12,9 +14,6 @@ namespace asperity::geometry
 namespace
 {
 namespace model = gmsh::model;
-
-// Gmsh's types of elements
-constexpr int type_triangle = 2, type_tetrahedron = 4;
 
 // The tags of the corners of all elements of a type.
 std::vector<std::size_t> elements(int dimension, int entity, int type)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surfaces/Lofting.hpp"
-#include "surfaces/Remarks.hpp"
+#include "Warnings.hpp"
 
 #include <optional>
 #include <string>
@@ -27,5 +27,5 @@ struct ContourOptions
 // points at equal shares of their lengths are connected. InputError, which starts with `where`, for
 // fewer than two depths, closed contours, a lower edge outside the contours, or a folded surface.
 TriangleSurface contourSurface(std::vector<Polyline> contours, ContourOptions const& options,
-                               std::string const& where, RemarkSink const& remark = printRemark);
+                               std::string const& where, RemarkSink const& remark = warn);
 } // namespace asperity::geometry

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Remarks.hpp"
+#include "Warnings.hpp"
 #include "TriangleSurface.hpp"
 
 #include <string>
@@ -16,7 +16,7 @@ namespace asperity::geometry
 // with one surface. InputError, with file and line or byte, for what is damaged, not finite, out of
 // range or empty, and for a part that is not there, with the names of those that are.
 TriangleSurface readSurface(std::string const& file_name, double scale,
-                            std::string const& part = "", RemarkSink const& remark = printRemark);
+                            std::string const& part = "", RemarkSink const& remark = warn);
 
 // The names of the surfaces of a file.
 std::vector<std::string> partsOfSurface(std::string const& file_name);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "Remarks.hpp"
+#include "Warnings.hpp"
 #include "TriangleSurface.hpp"
 
 #include <string>

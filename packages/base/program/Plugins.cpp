@@ -58,11 +58,11 @@ void loadPlugins(std::vector<std::string> const& files,
     auto const after = registrations();
     auto const brought = added(before, after);
     ASPERITY_REQUIRE(
-      !brought.empty(), option(file)
-                          << " registers no law and no output that is not there already. It "
-                             "needs a line such as ASPERITY_REGISTER_FRICTION_LAW(MyLaw), has to "
-                             "be linked against this installation of Asperity, and has to "
-                             "be given once.");
+      !brought.empty(),
+      option(file) << " registers nothing here that is not there already. It needs a line that "
+                      "begins with ASPERITY_REGISTER, has to be linked against this installation "
+                      "of Asperity, and has to be given once, to the program that uses what it "
+                      "registers.");
     for (auto const& name : brought) {
       ASPERITY_REQUIRE(std::count(after.begin(), after.end(), name) == 1,
                        option(file) << " registers the " << name

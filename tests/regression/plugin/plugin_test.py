@@ -469,7 +469,7 @@ class Loading(unittest.TestCase):
         self.assert_refused(["none.so"], "'none.so' is no file", ranks=2)
         pathlib.Path("text.so").write_text("no library")
         self.assert_refused(["text.so"], "'text.so' cannot be loaded")
-        self.assert_refused([PLUGIN, PLUGIN], "registers no law and no output")
+        self.assert_refused([PLUGIN, PLUGIN], "registers nothing here")
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ TEST(Plugins, ABroughtNameIsWelcome)
 TEST(Plugins, NothingBroughtIsRefused)
 {
   const auto message = refusal([] { load({"state law 'Slip'"}, {"state law 'Slip'"}); });
-  expectParts(message, {ASPERITY_EMPTY_PLUGIN, "registers no law and no output"});
+  expectParts(message, {ASPERITY_EMPTY_PLUGIN, "registers nothing here"});
 }
 
 TEST(Plugins, ANameThatIsTakenIsRefused)

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace asperity::geometry;
 using asperity::ParameterList;
 
@@ -95,5 +97,21 @@ TEST(BuildParameters, NamesThatAreTaken)
   auto list = planeDeck();
   list.sublist("Box").set("West", std::string("plane"));
   EXPECT_THROW(readBuildSettings(list, ""), asperity::InputError);
+  auto other = planeDeck();
+  other.sublist("Box").set("North", std::string("far"));
+  other.sublist("Box").set("Ground", std::string("far"));
+  EXPECT_THROW(readBuildSettings(other, ""), asperity::InputError);
+}
+
+TEST(BuildParameters, WallsMayShareAName)
+{
+  auto list = planeDeck();
+  for (auto const* wall : {"West", "East", "South", "North", "Bottom"}) {
+    list.sublist("Box").set(wall, std::string("far"));
+  }
+  auto const& surfaces = readBuildSettings(list, "").model.surfaces;
+  EXPECT_EQ(std::count_if(surfaces.begin(), surfaces.end(),
+                          [](auto const& surface) { return surface.name == "far"; }),
+            5);
 }
 } // namespace

@@ -147,6 +147,14 @@ class Build(unittest.TestCase):
         expected = float(re.search(r"about (\S+) unknowns", result.stdout)[1])
         unknowns = float(re.search(r"(\d+) unknowns", validated)[1])
         self.assertLess(max(expected / unknowns, unknowns / expected), 1.5)
+        pathlib.Path("long.xml").write_text(  # L: 6 m instead of 3 m
+            '<ParameterList name="Asperity"><ParameterList name="Friction">'
+            '<Parameter name="L" type="double" value="6"/></ParameterList></ParameterList>')
+        words = [MESH, "build", "model.xml", "--dry", "--overlay", "long.xml"]
+        self.assertIn(zone.replace("128000", "256000"), run(*words, "--deck", "run.xml").stdout)
+        result = run(*words)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("Option --overlay long.xml: there is no deck", result.stderr)
         text = pathlib.Path("run.xml").read_text(encoding="utf-8")
         pathlib.Path("wrong.xml").write_text(text.replace('"surface"', '"surfaces"'),
                                              encoding="utf-8")

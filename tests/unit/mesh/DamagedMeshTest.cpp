@@ -10,6 +10,8 @@
 #include <sstream>
 #include <unistd.h>
 
+using namespace asperity::geometry;
+
 // Small meshes in the formats of other programs (other_formats.py), damaged.
 namespace
 {
@@ -46,7 +48,8 @@ protected:
     std::ofstream(path, std::ios::binary) << content;
     ReadOptions options;
     if (std::filesystem::path(name).extension() != ".exo" && name != "small.inp") {
-      options.array = std::filesystem::path(name).extension() == ".vtk" ? "CellEntityIds" : "group";
+      options.own["--array"] = {std::filesystem::path(name).extension() == ".vtk" ? "CellEntityIds"
+                                                                                  : "group"};
     }
     try {
       const auto mesh = formatOf(path).format->read(path, options);

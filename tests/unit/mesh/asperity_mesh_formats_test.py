@@ -65,6 +65,35 @@ def brick(sides_of=None):
     return mesh
 
 
+def half_bricks(overlap=False):
+    """The brick below and above its middle, each with its own points; the fault is in the lower
+    one. overlap: the upper one repeats the lower one as ghosts."""
+    whole = brick()
+    halves = []
+    for own, groups in (("lower", ("bottom", "fault", "left")), ("upper", ("left",))):
+        blocks, ghosts = {}, []
+        for name, (kind, cells) in whole["blocks"].items():
+            heights = [sum(whole["points"][i][2] for i in cell) / len(cell) for cell in cells]
+            inside = [height < 1 if own == "lower" else height > 1 for height in heights]
+            kept = [cell for cell, is_inside, height in zip(cells, inside, heights)
+                    if is_inside or (height == 1 and name in groups)
+                    or (overlap and own == "upper" and kind == "hexahedron")]
+            blocks[name] = (kind, kept)
+            ghosts += [overlap and own == "upper" and name == "lower"] * len(kept)
+        used = sorted({i for _, cells in blocks.values() for cell in cells for i in cell})
+        number = {old: new for new, old in enumerate(used)}
+        halves.append({"points": [whole["points"][i] for i in used], "sides": {}, "nodes": {},
+                       "ghosts": ghosts,
+                       "blocks": {name: (kind, [[number[i] for i in cell] for cell in cells])
+                                  for name, (kind, cells) in blocks.items()}})
+    return halves
+
+
+PARALLEL = """<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid>
+<Piece Source="lower.vtu"/><Piece Source="upper.vtu"/></PUnstructuredGrid></VTKFile>
+"""
+
+
 class Case(mesh_tool.Case):
     def convert(self, name, *options):
         result = mesh_tool.run("convert", name, "out.h5", "--overwrite", *options)
@@ -269,6 +298,53 @@ class Vtk(Case):
                     brick_, form, header, compressed, order, together))
                 self.assert_brick(self.convert("brick.vtu", *self.NAMES, "--array", "group"))
 
+    def test_pieces(self):
+        """Two halves, in one file and in two, are the body of one file."""
+        for form in ("ascii", "appended raw", "binary"):
+            halves = [other_formats.vtu(half, form) for half in half_bricks()]
+            for name, half in zip(("lower.vtu", "upper.vtu"), halves):
+                pathlib.Path(name).write_bytes(half)
+            pathlib.Path("brick.pvtu").write_text(PARALLEL)
+            self.assert_brick(self.convert("brick.pvtu", *self.NAMES, "--array", "group"))
+            self.assertIn("2 pieces are put together at 9 points", self.said)
+        one, two = (other_formats.vtu(half) for half in half_bricks())
+        begin, end = two.index(b"<Piece"), two.index(b"</UnstructuredGrid>")
+        pathlib.Path("brick.vtu").write_bytes(
+            one.replace(b"</UnstructuredGrid>", two[begin:end] + b"</UnstructuredGrid>"))
+        self.assert_brick(self.convert("brick.vtu", *self.NAMES, "--array", "group"))
+
+    def test_cells_that_pieces_repeat(self):
+        """Cells of vtkGhostType are those of another piece."""
+        for name, half in zip(("lower.vtu", "upper.vtu"), half_bricks(overlap=True)):
+            pathlib.Path(name).write_bytes(other_formats.vtu(half))
+        pathlib.Path("brick.pvtu").write_text(PARALLEL)
+        self.assert_brick(self.convert("brick.pvtu", *self.NAMES, "--array", "group"))
+
+    def test_pieces_that_do_not_fit(self):
+        lower, upper = half_bricks()
+        pathlib.Path("brick.pvtu").write_text(PARALLEL)
+        options = ("--simplices", "--array", "group")
+        pathlib.Path("lower.vtu").write_bytes(other_formats.vtu(lower))
+        self.assert_refused(["convert", "brick.pvtu", "bad.h5", *options], "upper.vtu")
+        apart = dict(upper, points=[(x, y, z + 1) for x, y, z in upper["points"]])
+        pathlib.Path("upper.vtu").write_bytes(other_formats.vtu(apart))
+        self.convert("brick.pvtu", *options)
+        self.assertIn("The body is in pieces, too.", self.said)
+        doubled = dict(upper, points=upper["points"] + [lower["points"][-1]])
+        pathlib.Path("upper.vtu").write_bytes(other_formats.vtu(doubled))
+        self.assert_refused(["convert", "brick.pvtu", "bad.h5", *options],
+                            "several points at (2, 2, 1)", "one piece")
+        pathlib.Path("brick.pvtu").write_text(PARALLEL.replace("Source", "File"))
+        self.assert_refused(["convert", "brick.pvtu", "bad.h5"], "piece without Source")
+
+    def test_options_of_other_formats(self):
+        pathlib.Path("brick.vtk").write_bytes(other_formats.vtk(brick()))
+        self.assert_refused(["convert", "brick.vtk", "bad.h5", "--set", "h=1"], "Option --set h=1",
+                            "is read as VTK", "only for Gmsh")
+        pathlib.Path("brick.inp").write_text(other_formats.abaqus(brick(ABAQUS_SIDES)))
+        self.assert_refused(["convert", "brick.inp", "bad.h5", "--array", "group"],
+                            "Option --array group", "is read as Abaqus", "only for VTK")
+
     def test_numbers_without_names(self):
         pathlib.Path("brick.vtk").write_bytes(other_formats.vtk(brick()))
         self.assert_brick(self.convert("brick.vtk", "--simplices"),
@@ -315,8 +391,7 @@ CELL_TYPES 2
         self.refuse("a.vtu", good.replace(b'type="UnstructuredGrid"', b'type="PolyData"'),
                     "no whole file of VTK's type UnstructuredGrid")
         self.refuse("a.vtu", good.replace(b"vtkZLib", b"vtkLZ4"), "vtkLZ4DataCompressor")
-        two = good.replace(b"</Piece>", b"</Piece><Piece></Piece>")
-        self.refuse("a.vtu", two, "several pieces")
+        self.refuse("a.vtu", other_formats.vtu(brick()).replace(b"Piece", b"Peace"), "no piece")
 
 
 class Published(Case):

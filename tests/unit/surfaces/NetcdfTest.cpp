@@ -5,6 +5,9 @@
 
 #include "hdf5/File.hpp"
 
+#include <fstream>
+#include <iterator>
+
 using namespace asperity;
 using namespace asperity::geometry;
 
@@ -223,6 +226,43 @@ TEST_F(Netcdf, OfHdf5)
   EXPECT_TRUE(std::isnan(data.grid.z(1, 0)));
   EXPECT_TRUE(std::isnan(data.grid.z(2, 0)));
   test::expectRefusal([&] { readGrid(path, "lon"); }, {"'lon'", "two dimensions"});
+}
+
+// Each byte in turn by others, and each length: a grid or a message with the file's name.
+TEST_F(Netcdf, OfHdf5ThatIsDamaged)
+{
+  const auto path = file("whole.nc");
+  const std::vector<double> x = {0, 10}, y = {0, 1}, z = {1, 2, 3, 4};
+  {
+    auto made = h5::File::create(path);
+    storeAxis(made, "x", x, "units", "km");
+    storeAxis(made, "y", y, "units", "km");
+    made.store("h", z.data(), {2, 2});
+    made.close();
+  }
+  std::ifstream stream(path, std::ios::binary);
+  const std::string whole((std::istreambuf_iterator<char>(stream)), {});
+  ASSERT_GT(whole.size(), 500u);
+  const auto read = [&](std::string const& content) {
+    try {
+      readGrid(write("bad.nc", content));
+      return true;
+    } catch (InputError const& error) {
+      EXPECT_NE(std::string(error.what()).find("bad.nc"), std::string::npos) << error.what();
+      return false;
+    }
+  };
+  ASSERT_TRUE(read(whole));
+  std::size_t num_refused = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    for (const char other : {'\xff', '9', '\0'}) {
+      std::string damaged = whole;
+      damaged[i] = other;
+      num_refused += read(damaged) ? 0 : 1;
+    }
+    num_refused += i % 16 == 0 && !read(whole.substr(0, i)) ? 1 : 0;
+  }
+  EXPECT_GT(num_refused, whole.size() / 16); // the others are padding or values
 }
 
 TEST_F(Netcdf, OfHdf5InOtherOrders)

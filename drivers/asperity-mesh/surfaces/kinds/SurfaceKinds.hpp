@@ -1,7 +1,7 @@
 #pragma once
 
 #include "surfaces/Projection.hpp"
-#include "surfaces/Remarks.hpp"
+#include "Warnings.hpp"
 #include "surfaces/TriangleSurface.hpp"
 
 #include "parameters/Parameters.hpp"
@@ -30,7 +30,7 @@ struct SurfaceContext
   double highest_ground = 0;
   // A grid is sampled in this area; without it, where it has values.
   std::optional<MapArea> area;
-  RemarkSink remark = printRemark;
+  RemarkSink remark = warn;
 };
 
 // The kinds of surfaces that a deck has: each has entries of its own, which stand in the list of

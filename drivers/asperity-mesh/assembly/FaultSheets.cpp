@@ -1,4 +1,4 @@
-#include "Sheets.hpp"
+#include "FaultSheets.hpp"
 
 #include "base/DisjointSets.hpp"
 #include "base/Errors.hpp"
@@ -10,10 +10,8 @@
 #include <map>
 #include <tuple>
 
-using asperity::GlobalMesh;
-using asperity::Point;
-namespace mesh = asperity::mesh;
-
+namespace asperity::geometry
+{
 namespace
 {
 template <int Dim>
@@ -213,3 +211,4 @@ template std::vector<std::vector<int>> sheetsOf<3>(std::vector<Point<3>> const&,
                                                    std::vector<GlobalMesh<3>::Facet> const&);
 template void divideIntoSheets(GlobalMesh<2>&, std::string const&, std::string const&);
 template void divideIntoSheets(GlobalMesh<3>&, std::string const&, std::string const&);
+} // namespace asperity::geometry

@@ -1,4 +1,4 @@
-#include "arrangement/Sheets.hpp"
+#include "arrangement/SurfaceSheets.hpp"
 
 #include "arrangement/Patches.hpp"
 
