@@ -48,5 +48,9 @@ struct StateLawProperties
   // Whether it takes steady friction from a table, of log10 V [m/s].
   bool has_table = false;
   char const* state_variable = logarithm_of_theta;
+  // For laws whose nucleation length follows from a formula, that of Uenishi and Rice for friction
+  // laws with a strength drop, that of Rubin and Ampuero for others: what it holds for and where it
+  // is from, for messages. Null for laws of which only the linear stability of slip is known.
+  char const* nucleation_source = nullptr;
 };
 } // namespace asperity::friction

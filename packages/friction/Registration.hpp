@@ -60,6 +60,17 @@ char const* stateVariableOf(long)
 }
 
 template <class Law>
+auto nucleationSourceOf(int) -> decltype(Law::nucleation_source)
+{
+  return Law::nucleation_source;
+}
+template <class Law>
+char const* nucleationSourceOf(long)
+{
+  return nullptr;
+}
+
+template <class Law>
 auto weakensAtHighRatesOf(int) -> decltype(Law::weakens_at_high_rates)
 {
   return Law::weakens_at_high_rates;
@@ -97,6 +108,7 @@ struct RegisteredStateLaw : StateLaw
     stress_sensitivity = stressSensitivityOf<Law>(0);
     weakens_at_high_rates = weakensAtHighRatesOf<Law>(0);
     has_table = HasTable<Law>::value;
+    nucleation_source = nucleationSourceOf<Law>(0);
     state_variable = stateVariableOf<Law>(0);
     make_kernels = [](ParameterView const& values, TableView const& table) {
       return std::make_unique<LawStateKernels<Law>>(values, table);

@@ -83,10 +83,10 @@ void requireBoundaries(std::vector<scenario::BoundaryCondition> const& condition
 }
 
 // Empty if friction weakens nowhere, or its laws do not say by how much.
-std::optional<dynamics::FaultResolution> resolutionOf(ParameterList const& deck,
-                                                      Samples const& samples, bool is_y_up,
-                                                      CellSize const& size,
-                                                      fem::OtherSide const& other_side)
+std::optional<dynamics::FaultResolution>
+resolutionOf(ParameterList const& deck, scenario::BulkSettings const& bulk,
+             scenario::FrictionSettings const& settings, Samples const& samples, bool is_y_up,
+             CellSize const& size, fem::OtherSide const& other_side)
 {
   const auto body = bodyOfOneRegion();
   std::vector<std::array<double, 3>> places;
@@ -95,21 +95,20 @@ std::optional<dynamics::FaultResolution> resolutionOf(ParameterList const& deck,
   }
   const auto nodes = nodesAt(places, body);
   auto const& friction = deck.sublist("Friction");
-  const auto sensitivity = scenario::sensitivities(friction, nodes);
-  const auto drop = scenario::strengthDrops(friction, nodes);
-  const auto slip_distance = scenario::slipDistances(friction, nodes);
+  const auto sensitivity = scenario::sensitivities(settings.laws, friction, nodes);
+  const auto drop = scenario::strengthDrops(settings.laws, friction, nodes);
+  const auto slip_distance = scenario::slipDistances(settings.laws, friction, nodes);
   if ((!sensitivity && !drop) || !slip_distance) {
     return std::nullopt;
   }
-  const double factor = scenario::FrictionSettings::from(friction).normal_stress_factor;
+  const double factor = settings.normal_stress_factor;
   const auto stress =
     scenario::NodalField(
       Field(friction, "Normal Stress", scenario::friction_path, nodes.region_names), nodes)
       .at(0);
-  const auto rock =
-    scenario::elasticRockAt(deck.sublist("Bulk"), body, std::vector<int>(places.size(), 0), places);
-  const bool weakens_at_high_rates =
-    friction::stateLaws().at(friction.get<std::string>("State Evolution")).weakens_at_high_rates;
+  const auto rock = scenario::elasticRockAt(bulk, deck.sublist("Bulk"), body,
+                                            std::vector<int>(places.size(), 0), places);
+  const bool weakens_at_high_rates = settings.laws.stateLaw().weakens_at_high_rates;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   dynamics::FaultResolution result{infinity, 0, infinity, infinity, infinity, infinity, 0};
   double weakening_area = 0;
@@ -179,7 +178,8 @@ void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize 
 {
   const auto of = "deck '" + settings.deck + "': ";
   const auto deck = readDeckOf(settings, of);
-  ASPERITY_REQUIRE(scenario::BulkSettings::from(deck->sublist("Bulk")).components == components,
+  const auto bulk = scenario::BulkSettings::from(deck->sublist("Bulk"));
+  ASPERITY_REQUIRE(bulk.components == components,
                    of << "its model has one or two components of displacement, and a mesh in space "
                          "needs Bulk / Model = Solid.");
   const auto conditions = scenario::readConditions(deck->sublist("Boundary Conditions"));
@@ -187,8 +187,7 @@ void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize 
   out << of;
   reportSize(*deck, cells, out);
 
-  const auto boundary =
-    scenario::makeBoundaryConditions<3>(deck->sublist("Boundary Conditions"), components);
+  const auto boundary = scenario::makeBoundaryConditions<3>(conditions, components);
   std::vector<std::string> faults;
   for (auto const& name : boundary.faults) {
     if (std::count(boundary.given_slip.begin(), boundary.given_slip.end(), name) == 0) {
@@ -207,16 +206,18 @@ void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize 
            "known only when it runs\n";
     return;
   }
-  const auto resolution = resolutionOf(*deck, samples, settings.is_y_up, size, boundary.other_side);
+  const auto friction_settings = scenario::FrictionSettings::from(friction);
+  const auto resolution = resolutionOf(*deck, bulk, friction_settings, samples, settings.is_y_up,
+                                       size, boundary.other_side);
   if (!resolution) {
     out << of << "friction weakens nowhere, or its law has no cohesive zone\n";
     return;
   }
-  auto const& law = friction.get<std::string>("State Evolution");
-  for (auto const& line : scenario::describe(*resolution, law, "File")) {
+  auto const& laws = friction_settings.laws;
+  for (auto const& line : scenario::describe(*resolution, laws, "File")) {
     out << of << line << '\n';
   }
-  for (auto const& warning : scenario::warnOfResolution(*resolution, law)) {
+  for (auto const& warning : scenario::warnOfResolution(*resolution, laws)) {
     warn(of + warning.text);
   }
 }

@@ -9,6 +9,9 @@ namespace asperity::friction
 struct AgeingLaw : StateParameters
 {
   static constexpr char const* name = "Ageing";
+  static constexpr char const* nucleation_source =
+    "ageing law on an endless fault, Rubin & Ampuero 2005; this is an estimate: slightly shorter "
+    "zones may rupture, too";
 
   // d(alpha)/dt in 1/s.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const

@@ -61,6 +61,8 @@ struct SlipWeakeningState
 {
   static constexpr char const* name = "Slip Weakening";
   static constexpr char const* state_variable = SlipWeakeningLaw::state_variable;
+  static constexpr char const* nucleation_source =
+    "slip weakening on an endless fault, Uenishi & Rice 2003";
 
   double distance; // d_c, m
 

@@ -117,8 +117,9 @@ void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
                    ParameterList const& friction)
 {
   auto const nodes = faultNodes(problem.mesh(), problem.surface());
-  auto const reference = referenceFriction(friction, nodes);
-  auto const effects = sensitivities(friction, nodes);
+  auto const& laws = problem.settings.friction.laws;
+  auto const reference = referenceFriction(laws, friction, nodes);
+  auto const effects = sensitivities(laws, friction, nodes);
   if (reference && effects) {
     registry.add(
       io::OutputField{"psi", "", "State psi = mu* + b alpha.", "fault", 1,
@@ -129,7 +130,7 @@ void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
                         }
                       }});
   }
-  if (auto const scale = thetaScales(friction, nodes)) {
+  if (auto const scale = thetaScales(laws, friction, nodes)) {
     registry.add(io::OutputField{"theta", "s", "State variable.", "fault", 1,
                                  [&view, scale = *scale](Values& values) {
                                    values = view.fault->alpha();

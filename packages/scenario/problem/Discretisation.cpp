@@ -36,11 +36,11 @@ void requireGlobalIds(Mesh<Dim> const& mesh, int components)
 
 // The boundaries that no condition holds or damps: those without one, and those under a traction.
 template <int Dim>
-FreeSurface openBoundaries(ParameterList const& list, Mesh<Dim> const& mesh,
+FreeSurface openBoundaries(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
                            Communicator const& communicator)
 {
   std::set<std::string> not_open(mesh.faults.begin(), mesh.faults.end());
-  for (auto const& condition : readConditions(list)) {
+  for (auto const& condition : conditions) {
     if (!condition.type->is_open) {
       not_open.insert(condition.boundary);
     }
@@ -59,7 +59,7 @@ template <int Dim>
 Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& settings,
                                RCP<const Communicator> const& communicator)
 {
-  auto const& conditions = deck.sublist("Boundary Conditions");
+  auto const& conditions = settings.conditions;
   requireDimension(settings.bulk, Dim);
   const int components = settings.bulk.components;
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
@@ -75,24 +75,23 @@ Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& se
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh, *communicator);
-  auto const all = readConditions(conditions);
-  requireOwnFacets(all, mesh, *communicator);
-  requirePlaneOfMirror(all, mesh, *communicator);
+  requireOwnFacets(conditions, mesh, *communicator);
+  requirePlaneOfMirror(conditions, mesh, *communicator);
   requireFreeFault(boundary, mesh, components, *communicator);
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }
   auto const& bulk = deck.sublist("Bulk");
-  auto rock = makeRock(bulk, mesh, *communicator);
-  auto patches = makePatches(bulk, boundary.faults, mesh, rock, *communicator);
+  auto rock = makeRock(settings.bulk, bulk, mesh, *communicator);
+  auto patches = makePatches(settings.bulk, bulk, boundary.faults, mesh, rock, *communicator);
   auto upright = uprightOf(
-    deck, Dim,
+    settings.bulk, deck.sublist("Output"), Dim,
     {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)},
     openBoundaries(conditions, mesh, *communicator));
   auto fault_boundary = mesh::joinBoundaries(mesh, boundary.faults); // the mesh is complete
   auto const dofs =
     std::make_shared<fem::DofMap>(mesh.global_ids, mesh.num_owned, components, communicator);
-  const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
+  const double end = settings.time.final_time;
   const std::vector<double> samples = {0, end / 3, end};
   auto const constraints =
     std::make_shared<fem::Constraints<Dim>>(mesh, *dofs, boundary.velocities, samples);

@@ -138,7 +138,8 @@ dynamics::NodalFunction functionOf(NodalField const& field)
   return {field.dependsOnTime(), [field](double t) { return field.at(t); }};
 }
 
-dynamics::FaultProcesses enabledProcesses(ParameterList const& list, FaultSite const& site,
+dynamics::FaultProcesses enabledProcesses(LawChoice const& laws, ParameterList const& list,
+                                          FaultSite const& site,
                                           std::shared_ptr<const fem::FaultMesh> const& mesh)
 {
   auto const& nodes = site.nodes;
@@ -157,7 +158,7 @@ dynamics::FaultProcesses enabledProcesses(ParameterList const& list, FaultSite c
       result.push_back(processes.at(name).make(
         parameters, {*site.surface, mesh, nodes.places, values, in_time, path}));
       if (char const* needed = result.back()->stateVariable()) {
-        requireState(list, needed, path);
+        requireState(laws, needed, path);
       }
     }
   }
@@ -200,28 +201,31 @@ FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> con
   auto const& site = context.site;
   auto const& nodes = site.nodes;
   auto given = makeNormalStress(context, pressure);
-  requireSameState(list);
+  requireSameState(settings.laws);
   auto const stress = given.normal_stress.following(
     context.bodyPresses() ? settings.normalStressChange() : dynamics::NormalStressChange::fixed,
     settings.floor);
   std::vector<double> c_over_b;
   friction::TableView table;
   onEveryRank(context.communicator(), [&] {
-    table = stateTable(list);
-    c_over_b = stressSensitivities(list, nodes);
+    table = stateTable(settings.laws, list);
+    c_over_b = stressSensitivities(settings.laws, list, nodes);
     requirePressure(nodes, c_over_b, stress);
   });
-  auto const processes =
-    enabledProcesses(list, site, fem::makeFaultMesh(context.discretisation.mesh, *site.surface));
-  return {
-    {site.surface,
-     {settings.laws.friction, frictionLawValues(list, nodes),
-      toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion"),
-      settings.laws.state, stateLawValues(list, nodes), site.radiation_damping,
-      toDevice(c_over_b, "asperity::scenario::stressSensitivity"), processes, table,
-      regularisation(context, processes)},
-     stress},
-    std::move(given.warnings)};
+  dynamics::FaultLaws laws;
+  laws.friction = settings.laws.friction;
+  laws.friction_parameters = frictionLawValues(settings.laws, list, nodes);
+  laws.cohesion =
+    toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion");
+  laws.state = settings.laws.state;
+  laws.state_parameters = stateLawValues(settings.laws, list, nodes);
+  laws.radiation_damping = site.radiation_damping;
+  laws.stress_sensitivity = toDevice(c_over_b, "asperity::scenario::stressSensitivity");
+  laws.processes = enabledProcesses(settings.laws, list, site,
+                                    fem::makeFaultMesh(context.discretisation.mesh, *site.surface));
+  laws.state_table = table;
+  laws.regularisation = regularisation(context, laws.processes);
+  return {dynamics::Fault(site.surface, std::move(laws), stress), std::move(given.warnings)};
 }
 
 template FaultAtStart makeFault(SetupContext<2> const&, std::vector<double> const&);

@@ -85,15 +85,14 @@ std::vector<double> strengthOf(dynamics::Fault const& fault, bool weakens_with_s
   return strength;
 }
 
-std::optional<dynamics::FrictionOfNodes> frictionOfNodes(ParameterList const& friction,
-                                                         FieldNodes const& nodes,
-                                                         dynamics::Fault const& fault,
-                                                         ConstNodeView const& sigma_n,
-                                                         std::vector<double> const& driving)
+std::optional<dynamics::FrictionOfNodes>
+frictionOfNodes(LawChoice const& laws, ParameterList const& friction, FieldNodes const& nodes,
+                dynamics::Fault const& fault, ConstNodeView const& sigma_n,
+                std::vector<double> const& driving)
 {
-  auto const sensitivity = sensitivities(friction, nodes);
-  auto const drop = strengthDrops(friction, nodes);
-  auto const slip_distance = slipDistances(friction, nodes);
+  auto const sensitivity = sensitivities(laws, friction, nodes);
+  auto const drop = strengthDrops(laws, friction, nodes);
+  auto const slip_distance = slipDistances(laws, friction, nodes);
   if ((!sensitivity && !drop) || !slip_distance) {
     return std::nullopt;
   }
@@ -179,8 +178,9 @@ FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const&
                         dynamics::State const& initial, std::vector<double> const& driving)
 {
   FaultScales scales;
-  auto const of_nodes = frictionOfNodes(context.deck.sublist("Friction"), context.site.nodes, fault,
-                                        fault.given(initial).sigma_n, driving);
+  auto const of_nodes =
+    frictionOfNodes(context.settings.friction.laws, context.friction(), context.site.nodes, fault,
+                    fault.given(initial).sigma_n, driving);
   if (!of_nodes) {
     return scales;
   }

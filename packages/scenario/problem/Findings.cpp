@@ -73,8 +73,8 @@ std::optional<Warning> warnOfContrast(SetupContext<Dim> const& context)
   auto const minus = dynamics::placesBeside(mesh, surface, fem::Side::minus);
   std::vector<fem::Material> above, below;
   onEveryRank(*surface.communicator(), [&] {
-    above = elasticRockAt(bulk, mesh, plus.cells, plus.places);
-    below = elasticRockAt(bulk, mesh, minus.cells, minus.places);
+    above = elasticRockAt(context.settings.bulk, bulk, mesh, plus.cells, plus.places);
+    below = elasticRockAt(context.settings.bulk, bulk, mesh, minus.cells, minus.places);
   });
   return dynamics::warnOfContrast(
     dynamics::materialContrast(plus.places, above, below, *surface.communicator()),
@@ -117,12 +117,13 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
   std::optional<Warning> of_rock;
   // A static displacement has stress of its own.
   if (rock.yielding && !(start.displacement->normInf() > 0)) {
-    of_rock =
-      warnOfStressAtStart(deck, mesh, *rock.yielding, site.nodes, *site.surface, traction.at(0));
+    of_rock = warnOfStressAtStart(deck, context.components(), mesh, *rock.yielding, site.nodes,
+                                  *site.surface, traction.at(0));
   }
   for (auto const& warning :
        {of_rock, warnOfUp(context.settings.bulk, Dim, context.discretisation.upright),
-        warnOfContrast(context), warnOfVelocity(deck, mesh, *site.surface)}) {
+        warnOfContrast(context),
+        warnOfVelocity(context.settings.bulk, deck, mesh, *site.surface)}) {
     if (warning) {
       warnings.push_back(*warning);
     }

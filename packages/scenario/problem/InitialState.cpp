@@ -173,7 +173,7 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
   if (choicesOf(list).is_balanced && !context.settings.bulk.isQuasiDynamic()) {
-    auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+    auto const& time = context.settings.time;
     double dt = std::min(time.largest_step, time.final_time) * 1e-6;
     dt = std::min(dt, time.smallest_step.value_or(dt));
     auto const load = body.vector();
@@ -187,12 +187,12 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
 
 // In a model with inertia it may be that of a wave.
 template <int Dim>
-std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const& mesh,
-                                      fem::FaultSurface const& surface)
+std::optional<Warning> warnOfVelocity(BulkSettings const& bulk, ParameterList const& deck,
+                                      Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
 {
   auto const& list = deck.sublist("Initial State");
   if (!surface.otherSide().is_inside || surface.numSliding() == 0 || isGiven(list, "Slip Rate") ||
-      !BulkSettings::from(deck.sublist("Bulk")).isQuasiDynamic()) {
+      !bulk.isQuasiDynamic()) {
     return std::nullopt;
   }
   auto const nodes = faultNodes(mesh, surface);
@@ -212,8 +212,8 @@ std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::optional<Warning> warnOfVelocity(ParameterList const&, Mesh<Dim> const&,           \
-                                                 fem::FaultSurface const&);                        \
+  template std::optional<Warning> warnOfVelocity(BulkSettings const&, ParameterList const&,        \
+                                                 Mesh<Dim> const&, fem::FaultSurface const&);      \
   template dynamics::State makeInitialState(SetupContext<Dim> const&, dynamics::Body const&,       \
                                             dynamics::Fault const&, StartOfRun const&);
 

@@ -39,6 +39,6 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
 // Warns of an initial velocity that moves both sides of a two-sided fault, and so does not make it
 // slip, in a quasi-dynamic model, where it has no other effect. Collective.
 template <int Dim>
-std::optional<Warning> warnOfVelocity(ParameterList const& deck, Mesh<Dim> const& mesh,
-                                      fem::FaultSurface const& surface);
+std::optional<Warning> warnOfVelocity(BulkSettings const& bulk, ParameterList const& deck,
+                                      Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
 } // namespace asperity::scenario

@@ -91,7 +91,8 @@ LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices
 
   auto const gravity = fem::assembleGravity<Dim>(
     mesh, dofs, frames, rock.materials, scenario::gravity<Dim>(bulk, discretisation.upright.down));
-  ShearTraction traction(context.friction(), context.site.nodes, *surface, frames);
+  ShearTraction traction(context.settings.friction, context.friction(), context.site.nodes,
+                         *surface, frames);
   auto const on_boundaries =
     std::make_shared<fem::BoundaryLoad>(mesh, dofs, frames, discretisation.boundary.tractions);
   auto const constraints = discretisation.constraints;

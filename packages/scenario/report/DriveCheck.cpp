@@ -3,9 +3,6 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "scenario/report/BoundaryField.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,12 +33,12 @@ double largest(NodalField const& field, double end)
 } // namespace
 
 template <int Dim>
-std::vector<Warning> warnOfDrive(Problem<Dim> const& problem, ParameterList const& deck)
+std::vector<Warning> warnOfDrive(Problem<Dim> const& problem)
 {
   const double fastest = fastestDrive(problem.settings.bulk.isQuasiDynamic());
-  const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
+  const double end = problem.settings.time.final_time;
   std::vector<Warning> warnings;
-  for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
+  for (auto const& condition : problem.settings.conditions) {
     for (char const* entry : {"Velocity", "Plate Rate"}) {
       if (!isGiven(condition.list, entry)) {
         continue;
@@ -60,6 +57,6 @@ std::vector<Warning> warnOfDrive(Problem<Dim> const& problem, ParameterList cons
   return warnings;
 }
 
-template std::vector<Warning> warnOfDrive(Problem<2> const&, ParameterList const&);
-template std::vector<Warning> warnOfDrive(Problem<3> const&, ParameterList const&);
+template std::vector<Warning> warnOfDrive(Problem<2> const&);
+template std::vector<Warning> warnOfDrive(Problem<3> const&);
 } // namespace asperity::scenario

@@ -11,5 +11,5 @@ namespace asperity::scenario
 // what is plausible: 1 m/s on a quasi-dynamic body, 10 m/s where waves are computed. Slip rates
 // that are prescribed are not among them: those of an earthquake are as fast. Collective.
 template <int Dim>
-std::vector<Warning> warnOfDrive(Problem<Dim> const& problem, ParameterList const& deck);
+std::vector<Warning> warnOfDrive(Problem<Dim> const& problem);
 } // namespace asperity::scenario

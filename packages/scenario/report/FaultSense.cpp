@@ -8,7 +8,6 @@
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -104,7 +103,7 @@ std::string describeInSpace(FaultSides const& sides)
   }
   const double above = dot(sides.plus, sides.up);
   auto const wall = hangingWall(sides);
-  // To the right of who looks at the plus side.
+  // Slip of the plus side along this vector is right lateral, see lateral().
   auto const right = scaled(wall.strike, std::abs(above) <= level || above > 0 ? -1 : 1);
   text += "; strike " + degrees(at.strike) + ", dip " + degrees(at.dip) + "; along " +
           directionText(right, 3) + " it is right lateral";
@@ -260,13 +259,13 @@ std::string rakeAlong(FaultSides const& sides, std::optional<std::vector<double>
 // In space: of prescribed slip, or else of the shear traction that friction bears.
 template <int Dim>
 std::string describeRake(FaultSides const& sides, Problem<Dim> const& problem,
-                         ParameterList const& deck, std::string const& fault)
+                         std::string const& fault)
 {
   auto const& given = problem.discretisation.boundary.given_slip;
   if (std::find(given.begin(), given.end(), fault) == given.end()) {
     return rakeAlong(sides, problem.settings.friction.slip_direction, "Shear Traction");
   }
-  for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
+  for (auto const& condition : problem.settings.conditions) {
     if (condition.boundary == fault && isGiven(condition.list, "Slip Rate")) {
       return rakeAlong(sides, condition.direction, "Slip Rate");
     }
@@ -325,7 +324,7 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
     lines.push_back("Fault '" + name + "': its plus side" +
                     (surface.otherSide().is_inside ? "" : ", the body,") + " lies towards " +
                     directionText(fault.sides.plus, Dim) + "; " + senseOfSlip(fault.sides) +
-                    (Dim == 3 ? describeRake(fault.sides, problem, deck, name) : "") + ".");
+                    (Dim == 3 ? describeRake(fault.sides, problem, name) : "") + ".");
     if (surface.hasPlateRate() && length(fault.plates) > 0) {
       lines.push_back(describePlates(fault, Dim));
     }

@@ -4,8 +4,6 @@
 #include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +79,7 @@ struct HeldEnd
   std::vector<double> place; // of one of them [m]
 };
 
-// The nodes that it finds are not `held` any more, so that each is told of once.
+// Takes the nodes that it finds out of `held`, so that each is reported for one boundary.
 template <int Dim>
 HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool>& held,
                 std::vector<double> const& rates, std::vector<int> const& vertices)
@@ -118,19 +116,17 @@ int holdsMore(BoundaryCondition const& condition)
 } // namespace
 
 template <int Dim>
-void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
-                      Description& description)
+void describeHeldSlip(Problem<Dim> const& problem, Description& description)
 {
   if (problem.surface().numSliding() == 0) {
     return;
   }
   // A corner of a boundary that is held in all directions and a wall is reported for the former.
-  auto conditions = readConditions(deck.sublist("Boundary Conditions"));
+  auto conditions = problem.settings.conditions;
   std::stable_sort(conditions.begin(), conditions.end(),
                    [](auto const& a, auto const& b) { return holdsMore(a) > holdsMore(b); });
   auto held = heldNodes(problem, conditions);
-  auto const rates =
-    prescribedRates(problem, TimeSettings::from(deck.sublist("Time Stepping")).final_time);
+  auto const rates = prescribedRates(problem, problem.settings.time.final_time);
   for (auto const& condition : conditions) {
     if (condition.liesAlongFault()) {
       continue;
@@ -160,6 +156,6 @@ void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
   }
 }
 
-template void describeHeldSlip(Problem<2> const&, ParameterList const&, Description&);
-template void describeHeldSlip(Problem<3> const&, ParameterList const&, Description&);
+template void describeHeldSlip(Problem<2> const&, Description&);
+template void describeHeldSlip(Problem<3> const&, Description&);
 } // namespace asperity::scenario

@@ -10,6 +10,5 @@ namespace asperity::scenario
 // is zero. Tips, and edges where the fault is continued at a given slip rate, are left out.
 // Collective.
 template <int Dim>
-void describeHeldSlip(Problem<Dim> const& problem, ParameterList const& deck,
-                      Description& description);
+void describeHeldSlip(Problem<Dim> const& problem, Description& description);
 } // namespace asperity::scenario

@@ -4,12 +4,8 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "friction/Registry.hpp"
-#include "friction/laws/AgeingLaw.hpp"
-#include "friction/laws/SlipWeakening.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/mesh/GeneratedMesh.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <sys/resource.h>
@@ -115,13 +111,28 @@ std::vector<std::string> describeSize(Problem<Dim> const& problem)
 template std::vector<std::string> describeSize(Problem<2> const&);
 template std::vector<std::string> describeSize(Problem<3> const&);
 
+namespace
+{
+std::string describeNucleation(dynamics::FaultResolution const& resolution, LawChoice const& laws)
+{
+  if (char const* source = laws.stateLaw().nucleation_source) {
+    return "Nucleation length >= " + rounded(resolution.nucleation_length) + " m (" + source + ").";
+  }
+  return "Disturbances of steady slip grow if they are longer than " +
+         rounded(resolution.unstable_wavelength) +
+         " m (linear stability, any law); there is no formula for the nucleation length of the "
+         "state law '" +
+         laws.state + "'.";
+}
+} // namespace
+
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
-                                  std::string const& state_law, std::string const& mesh_type)
+                                  LawChoice const& laws, std::string const& mesh_type)
 {
   auto const& r = resolution;
-  const bool weakens_with_slip = state_law == friction::SlipWeakeningState::name;
-  const std::string zone =
-    weakens_with_slip ? "9 pi G' d_c / (32 (mu_s - mu_d) sigma_n)" : "G' L / (b sigma_n)";
+  const std::string zone = laws.frictionLaw().strength_drop
+                             ? "9 pi G' d_c / (32 (mu_s - mu_d) sigma_n)"
+                             : "G' L / (b sigma_n)";
   ASPERITY_REQUIRE(
     r.cells_per_zone > 0 && r.cohesive_zone > 0,
     "The cohesive zone "
@@ -130,33 +141,20 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
          "Check moduli, Density, Normal Stress and the parameters of friction: one is "
          "far too large or too small.");
   const bool one_size = r.largest_cell <= r.smallest_cell * (1 + 1e-6);
-  std::vector<std::string> lines = {
-    "Resolution where friction weakens: cells of " +
-      (one_size ? "" : rounded(r.smallest_cell) + " to ") + rounded(r.largest_cell) +
-      " m; cohesive zone " + zone + " >= " + rounded(r.cohesive_zone) + " m, at least " +
-      rounded(r.cells_per_zone) + " cells.",
-    weakens_with_slip ? "Nucleation length >= " + rounded(r.nucleation_length) +
-                          " m (slip weakening on an endless fault, Uenishi & Rice 2003)."
-    : state_law == friction::AgeingLaw::name
-      ? "Nucleation length >= " + rounded(r.nucleation_length) +
-          " m (ageing law on an endless fault, Rubin & Ampuero 2005). This is an estimate: "
-          "slightly shorter zones may rupture, too."
-      : "Disturbances of steady slip grow if they are longer than " +
-          rounded(r.unstable_wavelength) +
-          " m (linear stability, any law); there is no formula for the nucleation length of the "
-          "state law '" +
-          state_law + "'."};
+  std::vector<std::string> lines = {"Resolution where friction weakens: cells of " +
+                                      (one_size ? "" : rounded(r.smallest_cell) + " to ") +
+                                      rounded(r.largest_cell) + " m; cohesive zone " + zone +
+                                      " >= " + rounded(r.cohesive_zone) + " m, at least " +
+                                      rounded(r.cells_per_zone) + " cells.",
+                                    describeNucleation(r, laws)};
+  auto const generated = generatedMesh(mesh_type);
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
     lines.push_back(
       "Cells beside the fault are up to " + rounded(r.cell_height) +
       " times as high as they are long." + tooStiff(r) +
       " Lower cells do better with the same nodes on the fault: 0.58 times as high as "
       "long in antiplane models, about half as high as long in others." +
-      (mesh_type == "Rectangle" ? " The first cells of a Rectangle give all its cells their "
-                                  "proportions."
-       : mesh_type == "Box"     ? " 'Flat Cells at' makes them in a Box."
-                                : " 'Mesh / Flat Cells Beside' makes them in meshes that are not "
-                                  "periodic."));
+      ' ' + (generated ? generated->lower_cells : GeneratedMesh::lower_cells_beside));
   }
   return lines;
 }
@@ -182,7 +180,7 @@ template std::optional<Warning> warnOfCellShape(Problem<2> const&);
 template std::optional<Warning> warnOfCellShape(Problem<3> const&);
 
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
-                                      std::string const& state_law)
+                                      LawChoice const& laws)
 {
   std::vector<Warning> warnings;
   if (resolution.cells_per_zone < enough_cells) {
@@ -192,10 +190,9 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
        "refine the fault by a factor of " +
          rounded(enough_cells / resolution.cells_per_zone) + "."});
   }
-  const bool has_formula =
-    state_law == friction::AgeingLaw::name || state_law == friction::SlipWeakeningState::name;
+  const bool has_formula = laws.stateLaw().nucleation_source != nullptr;
   const double needed = has_formula ? resolution.nucleation_length : resolution.unstable_wavelength;
-  const bool creeps_if_short = !friction::stateLaws().at(state_law).weakens_at_high_rates;
+  const bool creeps_if_short = !laws.stateLaw().weakens_at_high_rates;
   if (creeps_if_short && dynamics::isTooShort(resolution, needed)) {
     warnings.push_back(
       {"nucleation length",

@@ -3,6 +3,7 @@
 #include "dynamics/checks/FaultResolution.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/report/Description.hpp"
+#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <string>
 #include <vector>
@@ -14,15 +15,16 @@ namespace asperity::scenario
 template <int Dim>
 std::vector<std::string> describeSize(Problem<Dim> const& problem);
 
-// Lines for the log. For the ageing law and slip weakening they have the nucleation length, for
-// other laws the shortest wavelength that grows. mesh_type: `Mesh / Type`.
+// Lines for the log. They have the nucleation length where a formula gives it for the state law
+// (StateLawProperties::nucleation_source), or else the shortest wavelength that grows. mesh_type:
+// `Mesh / Type`.
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
-                                  std::string const& state_law, std::string const& mesh_type);
+                                  LawChoice const& laws, std::string const& mesh_type);
 // Warns if there are fewer than three cells per cohesive zone, and if only a part of the fault
 // weakens and is less than half as long as the nucleation length, unless the state law weakens
 // friction at high slip rates more than a and b say.
 std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolution,
-                                      std::string const& state_law);
+                                      LawChoice const& laws);
 
 // Warns of cells beside a fault that are far higher than long, whether the fault has friction or
 // known slip. Collective.

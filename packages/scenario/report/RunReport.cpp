@@ -13,8 +13,8 @@
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/Upright.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/mesh/GeneratedMesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,8 @@ void describeWedge(ParameterList const& deck, BulkSettings const& bulk,
 {
   auto const& mesh = deck.sublist("Mesh");
   auto const type = mesh.get<std::string>("Type");
-  if (type != "Wedge" && type != "Deep Wedge") {
+  auto const generated = generatedMesh(type);
+  if (!generated || !generated->is_wedge) {
     return;
   }
   auto const& wedge = mesh.sublist(type);
@@ -52,10 +53,9 @@ void describeWedge(ParameterList const& deck, BulkSettings const& bulk,
   }
 }
 
-void warnOfCoupling(ParameterList const& deck, Description& description)
+void warnOfCoupling(ParameterList const& deck, double of_steps, Description& description)
 {
   const double given = deck.sublist("Coupling").get<double>("Tolerance");
-  const double of_steps = stepTolerance(deck.sublist("Time Stepping"));
   if (of_steps > 0 && given > of_steps) {
     description.warnings.push_back(
       {"coupling tolerance",
@@ -66,17 +66,16 @@ void warnOfCoupling(ParameterList const& deck, Description& description)
   }
 }
 
-void warnOfTolerance(ParameterList const& time_stepping, Description& description)
+void warnOfTolerance(TimeSettings const& time, Description& description)
 {
-  // Twice what decks in space have. It was chosen after runs of spring_slider.xml: with backward
-  // Euler and a tolerance of 0.03 the first event comes after 59 s, the true time is 345 s.
+  // Twice what decks in space have. With backward Euler and a tolerance of 0.03 the first event of
+  // spring_slider.xml comes after 59 s; the exact time is 345 s.
   constexpr double loose = 0.02;
-  const double tolerance = stepTolerance(time_stepping);
-  if (tolerance > loose) {
+  if (time.tolerance > loose) {
     description.warnings.push_back(
       {"loose tolerance",
-       "Time Stepping / " + TimeSettings::from(time_stepping).control +
-         " / Tolerance = " + formatShort(tolerance) + " is looser than " + formatShort(loose) +
+       "Time Stepping / " + time.control + " / Tolerance = " + formatShort(time.tolerance) +
+         " is looser than " + formatShort(loose) +
          ": numbers and times of earthquakes may be wrong. Decks have 1e-5 to 1e-2; asperity-study "
          "--convergence shows the effect of a tolerance."});
   }
@@ -111,7 +110,7 @@ void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
     return;
   }
   auto const names = mesh.get<Teuchos::Array<std::string>>(entry);
-  for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
+  for (auto const& condition : problem.settings.conditions) {
     auto const& name = condition.boundary;
     if (condition.type->isContinuation() &&
         std::find(names.begin(), names.end(), name) != names.end() && hasTip(problem, name)) {
@@ -143,7 +142,7 @@ void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Descr
               : "no fault.");
   lines.push_back(first.str());
   auto const& laws = problem.settings.friction.laws;
-  auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+  auto const& time = problem.settings.time;
   lines.push_back(
     (laws.hasFrictionLaw() ? laws.friction + " friction, state evolution: " + laws.state
                            : std::string("No friction")) +
@@ -177,28 +176,27 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
   }
   description.add(problem.findings.remarks);
   if (auto const& resolution = problem.scales.resolution) {
-    auto const& state_law = problem.settings.friction.laws.state;
-    description.add(
-      describe(*resolution, state_law, deck.sublist("Mesh").get<std::string>("Type")));
-    description.add(warnOfResolution(*resolution, state_law));
+    auto const& laws = problem.settings.friction.laws;
+    description.add(describe(*resolution, laws, deck.sublist("Mesh").get<std::string>("Type")));
+    description.add(warnOfResolution(*resolution, laws));
   }
   // With a normal stress in the wrong unit the lengths of friction are wrong, not the body's.
-  description.add(warnOfSize(
-    bodySize(problem, deck),
-    hasWarning("normal stress", description.warnings) ? std::nullopt : problem.scales.resolution));
-  describeHeldSlip(problem, deck, description);
-  description.add(warnOfDrive(problem, deck));
-  description.add(warnOfPrescribedSlip(problem, deck));
+  description.add(warnOfSize(bodySize(problem), hasWarning("normal stress", description.warnings)
+                                                  ? std::nullopt
+                                                  : problem.scales.resolution));
+  describeHeldSlip(problem, description);
+  description.add(warnOfDrive(problem));
+  description.add(warnOfPrescribedSlip(problem));
   description.add(describeScales(problem.scales));
   auto const& front = problem.scales.front;
   if (problem.scales.zone && front && front->cells < fewest_cells_of_front) {
     description.warnings.push_back(warnOfFront(front->cells, "at " + formatShort(front->rate) +
                                                                " m/s, as expected at the start"));
   }
-  describeSmallestStep(problem, deck, description);
+  describeSmallestStep(problem, description);
   warnOfFlatCells(problem, deck, description);
-  warnOfTolerance(deck.sublist("Time Stepping"), description);
-  warnOfCoupling(deck, description);
+  warnOfTolerance(problem.settings.time, description);
+  warnOfCoupling(deck, problem.settings.time.tolerance, description);
   return description;
 }
 

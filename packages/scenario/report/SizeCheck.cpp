@@ -6,9 +6,6 @@
 #include "mesh/Mesh.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/report/BoundaryField.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +30,7 @@ constexpr char const* in_m =
 } // namespace
 
 template <int Dim>
-BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
+BodySize bodySize(Problem<Dim> const& problem)
 {
   auto const& mesh = problem.mesh();
   auto const sides = mesh::sidesOfBox<Dim>(mesh.vertices, *problem.communicator);
@@ -57,14 +54,14 @@ BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck)
   size.crossing_time = -times[0] * size.extent;
   size.cell_time = times[1];
   size.has_waves = !problem.settings.bulk.isQuasiDynamic();
-  auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+  auto const& time = problem.settings.time;
   size.smallest_step = time.smallest_step.value_or(0);
   size.final_time = time.final_time;
   return size;
 }
 
-template BodySize bodySize(Problem<2> const&, ParameterList const&);
-template BodySize bodySize(Problem<3> const&, ParameterList const&);
+template BodySize bodySize(Problem<2> const&);
+template BodySize bodySize(Problem<3> const&);
 
 std::vector<Warning> warnOfSize(BodySize const& size,
                                 std::optional<dynamics::FaultResolution> const& resolution)
@@ -132,12 +129,12 @@ double largestSlip(NodalField const& rate, double end)
 } // namespace
 
 template <int Dim>
-std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, ParameterList const& deck)
+std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem)
 {
   constexpr double small_strain = 0.05;
-  const double end = TimeSettings::from(deck.sublist("Time Stepping")).final_time;
+  const double end = problem.settings.time.final_time;
   auto const& names = problem.discretisation.boundary.given_slip;
-  for (auto const& condition : readConditions(deck.sublist("Boundary Conditions"))) {
+  for (auto const& condition : problem.settings.conditions) {
     auto const& name = condition.boundary;
     if (std::find(names.begin(), names.end(), name) == names.end() ||
         !isGiven(condition.list, "Slip Rate")) {
@@ -161,6 +158,6 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, Parameter
   return {};
 }
 
-template std::vector<Warning> warnOfPrescribedSlip(Problem<2> const&, ParameterList const&);
-template std::vector<Warning> warnOfPrescribedSlip(Problem<3> const&, ParameterList const&);
+template std::vector<Warning> warnOfPrescribedSlip(Problem<2> const&);
+template std::vector<Warning> warnOfPrescribedSlip(Problem<3> const&);
 } // namespace asperity::scenario

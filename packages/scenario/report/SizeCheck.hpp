@@ -21,7 +21,7 @@ struct BodySize
 
 // Collective.
 template <int Dim>
-BodySize bodySize(Problem<Dim> const& problem, ParameterList const& deck);
+BodySize bodySize(Problem<Dim> const& problem);
 
 // Warnings, on the topics "size of the body" and "size of cells", where the size of the body, its
 // waves, steps and friction cannot belong together, as with a mesh in km that is read in m, or one
@@ -32,5 +32,5 @@ std::vector<Warning> warnOfSize(BodySize const& size,
 // A warning on the topic "prescribed slip" if the slip that the deck prescribes over the run is
 // more than 5 % of the longest axis of its fault. Collective.
 template <int Dim>
-std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem, ParameterList const& deck);
+std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem);
 } // namespace asperity::scenario

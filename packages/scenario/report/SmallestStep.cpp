@@ -19,11 +19,10 @@ namespace
 constexpr char const* step_name = "Smallest Step";
 
 double defaultStep(dynamics::FaultResolution const& resolution, BulkSettings const& bulk,
-                   ParameterList const& deck)
+                   TimeSettings const& time)
 {
-  const double largest = TimeSettings::from(deck.sublist("Time Stepping")).largest_step;
   const double seismic = dynamics::seismicStep(resolution, !bulk.isQuasiDynamic());
-  return std::min(seismic, largest / 2);
+  return std::min(seismic, time.largest_step / 2);
 }
 
 // The time that a shear wave takes through the smallest cell [s].
@@ -42,10 +41,10 @@ double crossingTime(Problem<Dim> const& problem)
 // Where no state of the fault decides on steps (Fault::stateDecides), and no earthquake can be
 // lost: the time at which slip or a load begins is met to a millionth of the run.
 template <int Dim>
-double defaultWithoutState(Problem<Dim> const& problem, ParameterList const& deck)
+double defaultWithoutState(Problem<Dim> const& problem)
 {
   constexpr double share_of_run = 1e-6, share_of_crossing = 0.1;
-  auto const time = TimeSettings::from(deck.sublist("Time Stepping"));
+  auto const& time = problem.settings.time;
   const double largest = time.largest_step;
   const double of_run = share_of_run * std::min(time.final_time, largest);
   return problem.settings.bulk.isQuasiDynamic()
@@ -54,20 +53,20 @@ double defaultWithoutState(Problem<Dim> const& problem, ParameterList const& dec
 }
 
 template <int Dim>
-double stepOfDeckOrDefault(Problem<Dim> const& problem, ParameterList const& deck)
+double stepOfDeckOrDefault(Problem<Dim> const& problem)
 {
-  if (auto const given = TimeSettings::from(deck.sublist("Time Stepping")).smallest_step) {
+  if (auto const given = problem.settings.time.smallest_step) {
     return *given;
   }
   if (!problem.model.fault.stateDecides()) {
-    return defaultWithoutState(problem, deck);
+    return defaultWithoutState(problem);
   }
   ASPERITY_REQUIRE(problem.scales.resolution,
                    time_path << " / " << step_name
                              << " is missing. It has a default only if friction weakens "
                                 "somewhere that can slip and its laws declare a, b and L. "
                                 "Give a step that resolves the fastest slip.");
-  return defaultStep(*problem.scales.resolution, problem.settings.bulk, deck);
+  return defaultStep(*problem.scales.resolution, problem.settings.bulk, problem.settings.time);
 }
 
 // Such rock is a fluid in any step, and its shear modulus a number without effect.
@@ -75,9 +74,9 @@ constexpr double far_below = 1e-3; // relaxation time over the smallest step
 } // namespace
 
 template <int Dim>
-double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
+double smallestStep(Problem<Dim> const& problem)
 {
-  const double step = stepOfDeckOrDefault(problem, deck);
+  const double step = stepOfDeckOrDefault(problem);
   for (auto const& branch : problem.discretisation.rock.branches) {
     ASPERITY_REQUIRE(branch.time >= far_below * step,
                      bulk_path << ": a relaxation time, " << branch.time
@@ -91,32 +90,30 @@ double smallestStep(Problem<Dim> const& problem, ParameterList const& deck)
 
 namespace
 {
-double shortestPrescribed(ParameterList const& time) // [s], 0 if no size is named
+double shortestPrescribed(TimeSettings const& time) // [s], 0 if no size is named
 {
-  auto const levels = dynamics::PrescribedSteps::levelsIn(time.sublist("Prescribed"));
+  auto const levels = dynamics::PrescribedSteps::levelsIn(time.control_list);
   auto const finest = std::max_element(levels.begin(), levels.end());
-  return finest == levels.end() ? 0 : std::ldexp(TimeSettings::from(time).largest_step, -*finest);
+  return finest == levels.end() ? 0 : std::ldexp(time.largest_step, -*finest);
 }
 } // namespace
 
 template <int Dim>
-void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
-                          Description& description)
+void describeSmallestStep(Problem<Dim> const& problem, Description& description)
 {
-  auto const& list = deck.sublist("Time Stepping");
-  auto const time = TimeSettings::from(list);
+  auto const& time = problem.settings.time;
   auto const& resolution = problem.scales.resolution;
   if (!problem.model.fault.stateDecides() && !time.smallest_step) {
-    description.lines.push_back(step_name + (" = " + formatShort(smallestStep(problem, deck))) +
+    description.lines.push_back(step_name + (" = " + formatShort(smallestStep(problem))) +
                                 " s by default, since no state of the fault decides on steps.");
   }
   if (!resolution) {
     return;
   }
   const double seismic = resolution->seismic_time,
-               advised = defaultStep(*resolution, problem.settings.bulk, deck);
+               advised = defaultStep(*resolution, problem.settings.bulk, problem.settings.time);
   if (time.control == "Prescribed") {
-    const double shortest = shortestPrescribed(list);
+    const double shortest = shortestPrescribed(time);
     if (shortest > seismic) {
       description.warnings.push_back(
         {"smallest step", "The shortest prescribed step, " + formatShort(shortest) +
@@ -140,8 +137,8 @@ void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck
   }
 }
 
-template double smallestStep(Problem<2> const&, ParameterList const&);
-template double smallestStep(Problem<3> const&, ParameterList const&);
-template void describeSmallestStep(Problem<2> const&, ParameterList const&, Description&);
-template void describeSmallestStep(Problem<3> const&, ParameterList const&, Description&);
+template double smallestStep(Problem<2> const&);
+template double smallestStep(Problem<3> const&);
+template void describeSmallestStep(Problem<2> const&, Description&);
+template void describeSmallestStep(Problem<3> const&, Description&);
 } // namespace asperity::scenario

@@ -12,11 +12,10 @@ namespace asperity::scenario
 // Throws InputError where a default is needed and friction weakens nowhere that can slip, and where
 // rock relaxes in less than a thousandth of the step.
 template <int Dim>
-double smallestStep(Problem<Dim> const& problem, ParameterList const& deck);
+double smallestStep(Problem<Dim> const& problem);
 
 // A line about the default, where it is used, or a warning where the step of the deck is longer
 // than an earthquake takes to slip by L.
 template <int Dim>
-void describeSmallestStep(Problem<Dim> const& problem, ParameterList const& deck,
-                          Description& description);
+void describeSmallestStep(Problem<Dim> const& problem, Description& description);
 } // namespace asperity::scenario

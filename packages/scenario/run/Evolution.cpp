@@ -11,8 +11,10 @@
 #include "mesh/BoundingBox.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/report/SmallestStep.hpp"
+#include "scenario/report/StartCheck.hpp"
 #include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/watches/SkippedTimes.hpp"
 
@@ -31,22 +33,22 @@ std::unique_ptr<dynamics::CoupledStep>
 makeCoupledStep(ParameterList const& deck, Problem<Dim> const& problem,
                 dynamics::Model const& model, dynamics::DyadicTime const& clock)
 {
-  auto const& time = deck.sublist("Time Stepping");
+  auto const& time = problem.settings.time;
   return std::make_unique<dynamics::CoupledStep>(
     model.body, model.fault, makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock,
-    dynamics::CouplingSettings::from(deck.sublist("Coupling"), stepTolerance(time)), problem.solver,
+    dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance), problem.solver,
     memoryBudget(deck.sublist("TNNMG")), model.reaction);
 }
 } // namespace
 
 template <int Dim>
-dynamics::DyadicTime clockOf(Problem<Dim> const& problem, ParameterList const& deck)
+dynamics::DyadicTime clockOf(Problem<Dim> const& problem)
 {
-  return makeClock(deck.sublist("Time Stepping"), smallestStep(problem, deck));
+  return makeClock(problem.settings.time, smallestStep(problem));
 }
 
-template dynamics::DyadicTime clockOf(Problem<2> const&, ParameterList const&);
-template dynamics::DyadicTime clockOf(Problem<3> const&, ParameterList const&);
+template dynamics::DyadicTime clockOf(Problem<2> const&);
+template dynamics::DyadicTime clockOf(Problem<3> const&);
 
 namespace
 {
@@ -70,11 +72,11 @@ Evolution<Dim>::Evolution(Problem<Dim> const& problem, ParameterList const& deck
     , problem_(problem)
     , condensation_(makeCondensation(problem_, deck))
     , model_(condensation_ ? condensation_->model() : problem_.model)
-    , clock_(clockOf(problem_, deck))
-    , end_(clock_.reaching(TimeSettings::from(deck.sublist("Time Stepping")).final_time))
+    , clock_(clockOf(problem_))
+    , end_(clock_.reaching(problem_.settings.time.final_time))
     , coupled_step_(makeCoupledStep(deck, problem_, model_, clock_))
-    , control_(makeStepControl(deck.sublist("Time Stepping"),
-                               io::OutputSet::times(deck.sublist("Output")), *coupled_step_,
+    , control_(makeStepControl(problem_.settings.time, io::OutputSet::times(deck.sublist("Output")),
+                               *coupled_step_,
                                {problem_.scales.waveRate(), model_.initial.u, leastMotion(problem_),
                                 [this](int vertex) { return placeOf(vertex); }}))
     , balance_(model_.body, model_.fault, clock_)
@@ -111,43 +113,18 @@ dynamics::Watches Evolution<Dim>::makeWatches(ParameterList const& deck) const
   auto const& scales = problem_.scales;
   return dynamics::Watches(deck.sublist("Time Stepping"),
                            {model_.body, model_.fault, across, deck,
-                            stepTolerance(deck.sublist("Time Stepping")), control_->adapts(),
-                            scales.zone, scales.weakening, scales.slipDistance(), scales.slowRate(),
+                            problem_.settings.time.tolerance, control_->adapts(), scales.zone,
+                            scales.weakening, scales.slipDistance(), scales.slowRate(),
                             problem_.findings.largest_slip_rate, places});
 }
-
-// An overstressed patch, or one that starts to slip against the load, is smaller.
-constexpr double largest_contradiction = 0.5;
-// Share of the forces at the start. The tolerance of solvers and the rounded numbers of a deck
-// leave less; a state of one run under the loads of another, or a traction in other units, leaves
-// far more.
-constexpr double largest_imbalance = 0.01;
 
 template <int Dim>
 void Evolution<Dim>::beginBalance()
 {
   balance_.start(state_);
   sample_.begin(state_, time(), balance_);
-  const double imbalance = balance_.startImbalance();
-  if (imbalance > largest_imbalance) {
-    notes_.warnings.push_back(
-      {"start out of balance",
-       "The run starts out of balance: " + formatShort(imbalance) +
-         " of the forces are not balanced (at most " + formatShort(largest_imbalance) +
-         " is usual). A quasi-dynamic body has no inertia, so that velocities and stresses jump in "
-         "the first step, however small it is. Check Friction / Shear Traction, whose unit is Pa, "
-         "or choose Initial State / State = Stress Balance."});
-  }
-  const double contradiction = balance_.startContradiction();
-  if (contradiction > largest_contradiction) {
-    notes_.warnings.push_back(
-      {"friction at the start",
-       "At the start friction acts with the load instead of against it over " +
-         formatShort(std::round(1000 * contradiction) / 10) +
-         " % of the fault, which slips against its shear traction: the traction changes its sign "
-         "in the first step, and the jump sets off waves. Check the signs of Friction / Shear "
-         "Traction and of the velocity or slip rate under Initial State."});
-  }
+  auto const warnings = warnOfStart(balance_.startImbalance(), balance_.startContradiction());
+  notes_.warnings.insert(notes_.warnings.end(), warnings.begin(), warnings.end());
 }
 
 template <int Dim>

@@ -34,7 +34,7 @@ struct Beginning
 
 // The clock of the deck's time stepping.
 template <int Dim>
-dynamics::DyadicTime clockOf(Problem<Dim> const& problem, ParameterList const& deck);
+dynamics::DyadicTime clockOf(Problem<Dim> const& problem);
 
 // The time stepping of a problem: its state, its steps, and the sums of energy, effort and nodes on
 // the floor of the normal stress.

@@ -11,10 +11,9 @@
 #include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
 #include "scenario/fields/Domains.hpp"
-#include "scenario/report/SmallestStep.hpp"
 #include "scenario/run/CarriedRock.hpp"
 #include "scenario/run/Checkpoints.hpp"
-#include "scenario/setup/TimeSetup.hpp"
+#include "scenario/run/Evolution.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
@@ -251,8 +250,7 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
   auto const other = makeProblem<Dim>(*other_deck, problem.communicator);
   requireSameKind(problem, deck, other, *other_deck, run.string());
   auto const other_domains = makeDomains(other);
-  auto const other_clock =
-    makeClock(other_deck->sublist("Time Stepping"), smallestStep(other, *other_deck));
+  auto const other_clock = clockOf(other);
   auto const checkpoint =
     checkpointOf(is_folder ? run / "checkpoint.h5" : run, other, other_domains, *other_deck);
   auto const state = StateFormat(other.model, nullptr, other_clock).load(checkpoint, "state");

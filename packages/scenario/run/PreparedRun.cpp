@@ -1,12 +1,11 @@
 #include "scenario/run/PreparedRun.hpp"
 
 #include "catalogue/receivers/ReceiversOnFault.hpp"
-#include "scenario/DeckReader.hpp"
+#include "scenario/DeckRemarks.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/fields/OutputFields.hpp"
 #include "scenario/report/RunReport.hpp"
 #include "scenario/run/OtherRun.hpp"
-#include "scenario/setup/TimeSetup.hpp"
 
 namespace asperity::scenario
 {
@@ -31,9 +30,8 @@ Beginning beginningOf(CommandLine const& command_line, Problem<Dim> const& probl
   }
   if (!command_line.restart_from.empty()) {
     return {Beginning::From::other_run,
-            stateOfOtherRun(command_line.restart_from, problem, domains, deck,
-                            clockOf(problem, deck),
-                            TimeSettings::from(deck.sublist("Time Stepping")).final_time)};
+            stateOfOtherRun(command_line.restart_from, problem, domains, deck, clockOf(problem),
+                            problem.settings.time.final_time)};
   }
   return {};
 }
@@ -42,7 +40,7 @@ Beginning beginningOf(CommandLine const& command_line, Problem<Dim> const& probl
 template <int Dim>
 PreparedRun<Dim>::PreparedRun(RCP<ParameterList> const& deck_, CommandLine const& command_line,
                               RCP<const Communicator> const& communicator_)
-    : deck(deck_)
+    : deck(deck_) // the order is that of the members, see the header
     , communicator(communicator_)
     , directory(directoryOfResults(command_line))
     , problem(makeProblem<Dim>(*deck, communicator))

@@ -16,6 +16,16 @@
 namespace asperity::scenario
 {
 // A run before it touches a file: the problem with its steps, and the outputs that read from it.
+//
+// The constructor does all of this in the order of the members, since each needs those before it:
+//
+//   problem       makeProblem: mesh, matrices, static solution, fault, state at the start
+//   domains       the parts of the mesh that outputs write
+//   checkpoints   the deck gets the directions that follow from the mesh; its fingerprint
+//   beginning     reads the checkpoint of a restart or the state of another run
+//   evolution     clock, step, control; goes on from the beginning
+//   unread        reads the deck anew, for entries without effect
+//   outputs       with the fields of the evolution
 template <int Dim>
 struct PreparedRun
 {

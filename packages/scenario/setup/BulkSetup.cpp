@@ -22,6 +22,7 @@ namespace asperity::scenario
 namespace
 {
 constexpr char const* radiation_damping = "Radiation Damping";
+constexpr char const* dynamics_entry = "Dynamics";
 constexpr char const* quasi_dynamic = "Quasi-dynamic";
 constexpr char const* direction_entry = "Gravity Direction";
 
@@ -56,7 +57,7 @@ Entries<BulkSettings> bulkEntries()
             "Selects the components of the displacement. Plane Strain: it lies in the plane of the "
             "mesh. Antiplane: it is perpendicular to that plane. Solid: it has all three "
             "components on a mesh in space.")
-    .choiceOfLists("Dynamics", &S::dynamics,
+    .choiceOfLists(dynamics_entry, &S::dynamics,
                    {{"Inertial", Declare().list()}, {quasi_dynamic, of_damping}},
                    "Selects whether the body has inertia. Inertial: it has mass, and waves travel "
                    "through it. Quasi-dynamic: it has no mass, and a radiation damping takes from "
@@ -122,6 +123,12 @@ BulkSettings BulkSettings::from(ParameterList const& list)
 }
 
 bool BulkSettings::isQuasiDynamic() const { return dynamics == quasi_dynamic; }
+
+bool choosesQuasiDynamic(ParameterList const& list)
+{
+  return list.isType<std::string>(dynamics_entry) &&
+         list.get<std::string>(dynamics_entry) == quasi_dynamic;
+}
 
 Entries<LawOfRegion> LawOfRegion::entries()
 {

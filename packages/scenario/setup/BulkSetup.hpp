@@ -41,6 +41,9 @@ struct BulkSettings
   bool hasGravity() const { return gravity > 0; }
 };
 
+// Whether a list `Bulk` that need not be complete chooses a quasi-dynamic body.
+bool choosesQuasiDynamic(ParameterList const& list);
+
 // A list of `Regions`, beside the parameters of the law.
 struct LawOfRegion
 {

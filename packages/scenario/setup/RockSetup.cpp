@@ -25,11 +25,12 @@ namespace
 class Elasticity
 {
 public:
-  Elasticity(ParameterList const& list, std::vector<std::string> const& region_names)
+  Elasticity(BulkSettings const& bulk, ParameterList const& list,
+             std::vector<std::string> const& region_names)
       : bulk_(fieldOf(list, bulk_entries::bulk_modulus, region_names))
       , shear_(fieldOf(list, bulk_entries::shear_modulus, region_names))
       , poisson_(fieldOf(list, bulk_entries::poissons_ratio, region_names))
-      , antiplane_(BulkSettings::from(list).components == 1)
+      , antiplane_(bulk.components == 1)
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
     const bool enough = given == 2 || (antiplane_ && shear_ && given == 1);
@@ -198,9 +199,9 @@ void refuseStressAtStart(ParameterList const& list)
 
 // The rock that yields; nullopt if no rank has a cell that does.
 template <int Dim>
-std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Dim> const& mesh,
-                                              std::vector<LawOfRock> const& laws,
-                                              Communicator const& communicator)
+std::optional<fem::YieldingRock>
+yieldingRock(BulkSettings const& bulk, ParameterList const& list, Mesh<Dim> const& mesh,
+             std::vector<LawOfRock> const& laws, Communicator const& communicator)
 {
   fem::YieldingRock rock;
   std::int64_t num_cells = 0;
@@ -214,12 +215,11 @@ std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Di
     refuseStressAtStart(list);
     return std::nullopt;
   }
-  const int components = BulkSettings::from(list).components;
   StressAtStart stress(list.sublist(StressAtStart::list_name), mesh.region_names);
   onEveryRank(communicator, [&] {
     stress.read(mesh);
     for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
-      stress.append(placeOf(mesh, cell), components, rock);
+      stress.append(placeOf(mesh, cell), bulk.components, rock);
     }
   });
   return rock;
@@ -227,10 +227,11 @@ std::optional<fem::YieldingRock> yieldingRock(ParameterList const& list, Mesh<Di
 } // namespace
 
 template <int Dim>
-Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator)
+Rock makeRock(BulkSettings const& bulk, ParameterList const& list, Mesh<Dim> const& mesh,
+              Communicator const& communicator)
 {
   auto const& regions = mesh.region_names;
-  Elasticity elasticity(list, regions);
+  Elasticity elasticity(bulk, list, regions);
   CellField density(steadyField(list, "Density", bulk_path, regions));
   auto const& own_laws = list.sublist(bulk_entries::regions);
   std::vector<bool> of_main_law(regions.size(), true);
@@ -245,8 +246,8 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
     own.emplace(region, LawOfRock(LawOfRegion::entries().read(own_list, path).law, own_list, path,
                                   regions, used));
   }
-  std::vector<LawOfRock> laws(
-    regions.size(), LawOfRock(BulkSettings::from(list).law, list, bulk_path, regions, of_main_law));
+  std::vector<LawOfRock> laws(regions.size(),
+                              LawOfRock(bulk.law, list, bulk_path, regions, of_main_law));
   for (auto const& [region, law] : own) {
     laws[region] = law;
   }
@@ -267,16 +268,16 @@ Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator con
     }
   });
   auto branches = branchesOf(relaxation, materials, communicator);
-  auto yielding = yieldingRock(list, mesh, laws, communicator);
+  auto yielding = yieldingRock(bulk, list, mesh, laws, communicator);
   return {std::move(materials), std::move(branches), std::move(yielding)};
 }
 
 template <int Dim>
-std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> const& mesh,
-                                         std::vector<int> const& cells,
+std::vector<fem::Material> elasticRockAt(BulkSettings const& bulk, ParameterList const& list,
+                                         Mesh<Dim> const& mesh, std::vector<int> const& cells,
                                          std::vector<std::array<double, 3>> const& places)
 {
-  Elasticity elasticity(list, mesh.region_names);
+  Elasticity elasticity(bulk, list, mesh.region_names);
   CellField density(steadyField(list, "Density", bulk_path, mesh.region_names));
   elasticity.read(mesh);
   density.read(mesh);
@@ -290,9 +291,10 @@ std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> co
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template Rock makeRock(ParameterList const&, Mesh<Dim> const&, Communicator const&);             \
-  template std::vector<fem::Material> elasticRockAt(ParameterList const&, Mesh<Dim> const&,        \
-                                                    std::vector<int> const&,                       \
+  template Rock makeRock(BulkSettings const&, ParameterList const&, Mesh<Dim> const&,              \
+                         Communicator const&);                                                     \
+  template std::vector<fem::Material> elasticRockAt(BulkSettings const&, ParameterList const&,     \
+                                                    Mesh<Dim> const&, std::vector<int> const&,     \
                                                     std::vector<std::array<double, 3>> const&);
 
 ASPERITY_INSTANTIATE(2)

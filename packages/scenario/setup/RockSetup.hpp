@@ -6,6 +6,7 @@
 #include "fem/inelastic/InelasticCells.hpp"
 #include "mesh/Mesh.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/setup/BulkSetup.hpp"
 
 #include <array>
 #include <optional>
@@ -21,13 +22,15 @@ struct Rock
   std::optional<fem::YieldingRock> yielding; // on all ranks or on none
 };
 
-// Throws InputError unless all cells together have few relaxation times. Collective.
+// list: the deck's list `Bulk`, of which `bulk` has the settings. Throws InputError unless all
+// cells together have few relaxation times. Collective.
 template <int Dim>
-Rock makeRock(ParameterList const& list, Mesh<Dim> const& mesh, Communicator const& communicator);
+Rock makeRock(BulkSettings const& bulk, ParameterList const& list, Mesh<Dim> const& mesh,
+              Communicator const& communicator);
 
 // Density and elastic moduli of the rock at places in cells of the mesh (num_places).
 template <int Dim>
-std::vector<fem::Material> elasticRockAt(ParameterList const& list, Mesh<Dim> const& mesh,
-                                         std::vector<int> const& cells,
+std::vector<fem::Material> elasticRockAt(BulkSettings const& bulk, ParameterList const& list,
+                                         Mesh<Dim> const& mesh, std::vector<int> const& cells,
                                          std::vector<std::array<double, 3>> const& places);
 } // namespace asperity::scenario

@@ -6,7 +6,6 @@
 #include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "parameters/ParameterValue.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
@@ -136,10 +135,10 @@ void StressAtStart::append(CellPlace const& place, int components, fem::Yielding
 }
 
 template <int Dim>
-std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> const& mesh,
-                                           fem::YieldingRock const& rock, FieldNodes const& nodes,
-                                           fem::FaultSurface const& surface,
-                                           std::vector<double> const& shear_traction)
+std::optional<Warning>
+warnOfStressAtStart(ParameterList const& deck, int components, Mesh<Dim> const& mesh,
+                    fem::YieldingRock const& rock, FieldNodes const& nodes,
+                    fem::FaultSurface const& surface, std::vector<double> const& shear_traction)
 {
   auto const& list = deck.sublist("Bulk").sublist(StressAtStart::list_name);
   auto const& friction = deck.sublist("Friction");
@@ -147,10 +146,10 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
     return std::nullopt;
   }
   // An antiplane model takes the mean of the diagonal alone, which need not be the normal stress.
-  const bool with_normal =
-    isGiven(friction, "Normal Stress") && BulkSettings::from(deck.sublist("Bulk")).components > 1 &&
-    std::any_of(diagonal.begin(), diagonal.end(),
-                [&list](int k) { return isGiven(list, component_names[k]); });
+  const bool with_normal = isGiven(friction, "Normal Stress") && components > 1 &&
+                           std::any_of(diagonal.begin(), diagonal.end(), [&list](int k) {
+                             return isGiven(list, component_names[k]);
+                           });
   auto const& communicator = *surface.communicator();
   std::array<std::vector<double>, 6> stress;
   std::vector<double> normal(surface.numNodes(), 0.);
@@ -217,7 +216,7 @@ std::optional<Warning> warnOfStressAtStart(ParameterList const& deck, Mesh<Dim> 
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::optional<Warning> warnOfStressAtStart(                                             \
-    ParameterList const&, Mesh<Dim> const&, fem::YieldingRock const&, FieldNodes const&,           \
+    ParameterList const&, int, Mesh<Dim> const&, fem::YieldingRock const&, FieldNodes const&,      \
     fem::FaultSurface const&, std::vector<double> const&);
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -4,6 +4,7 @@
 #include "dynamics/watches/Watch.hpp"
 #include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/TimeSchemes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,63 +13,14 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* largest_step = "Largest Step";
-constexpr char const* smallest_step = "Smallest Step";
+constexpr char const* largest_name = "Largest Step";
+constexpr char const* smallest_name = "Smallest Step";
 
 // To three digits; value > 0.
 double roundedDown(double value)
 {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 2);
   return std::floor(value / unit) * unit;
-}
-
-struct Newmark
-{
-  double beta = 0.25;
-  double stability_limit = 0; // [s]; 0: not given
-};
-
-Entries<Newmark> newmarkEntries()
-{
-  return Entries<Newmark>()
-    .real("beta", &Newmark::beta, "-", Range::closed(0, 0.5),
-          "This is the weight of the new acceleration in the displacement. The scheme is "
-          "unconditionally stable from 1/4 on.")
-    .real("Stability Limit", &Newmark::stability_limit, "s", Range::atLeast(0),
-          "No stable step is larger than this, 1 / (omega_max sqrt(1/4 - beta)). It is required "
-          "for beta < 1/4, where the scheme is only conditionally stable.");
-}
-
-dynamics::RateUpdate newmark(ParameterList const& list)
-{
-  auto const [beta, limit] =
-    newmarkEntries().read(list.sublist("Newmark"), joinPath(time_path, "Newmark"));
-  if (beta < 0.25) {
-    const double largest = TimeSettings::from(list).largest_step;
-    ASPERITY_REQUIRE(
-      limit > 0,
-      time_path << " / Newmark / beta = " << beta
-                << " is only conditionally stable. Give the 'Stability Limit' of the step, or "
-                   "choose beta from 0.25 to 0.5.");
-    ASPERITY_REQUIRE(largest <= limit, time_path << " / Largest Step = " << largest
-                                                 << " s is above the stability limit of " << limit
-                                                 << " s that beta = " << beta << " needs.");
-  }
-  return dynamics::RateUpdate::newmark(beta);
-}
-
-struct GeneralisedAlpha
-{
-  double spectral_radius = 0.5;
-};
-
-Entries<GeneralisedAlpha> generalisedAlphaEntries()
-{
-  return Entries<GeneralisedAlpha>().real(
-    "Spectral Radius", &GeneralisedAlpha::spectral_radius, "-", Range::closed(0, 1),
-    "A step multiplies modes that are far faster than itself by this factor: 0 removes "
-    "them at once, 1 keeps them (Newmark). While every step doubles, they decay for values "
-    "from 0.35 to 0.82; while every pair of steps doubles (Richardson), up to 0.87.");
 }
 
 void addEntriesOfWatches(Declare& declare)
@@ -99,6 +51,13 @@ Entries<TimeSettings> timeEntries()
     controls.emplace_back(name, control.validParameters());
     meaning += ' ' + name + ": " + control.meaning();
   }
+  std::vector<Declare::NamedList> schemes;
+  std::string meaning_of_schemes =
+    "Selects the scheme by which displacement and acceleration follow from the velocity.";
+  for (auto const& scheme : timeSchemes()) {
+    schemes.emplace_back(scheme.name, scheme.entries);
+    meaning_of_schemes += ' ' + scheme.name + ": " + scheme.meaning;
+  }
   Entries<S> entries;
   entries
     .real("Final Time", &S::final_time, required, "s", Range::positive(),
@@ -107,20 +66,14 @@ Entries<TimeSettings> timeEntries()
     .realArray("Instants", &S::instants, "s", Range::positive(),
                "No step passes one of these times: a step ends there, to within the smallest step.")
     .hint("Name the times at which a load changes faster than steps follow.")
-    .choiceOfLists(
-      "Scheme", &S::scheme,
-      {{"Newmark", newmarkEntries().list()},
-       {"Backward Euler", Declare().list()},
-       {"Generalised Alpha", generalisedAlphaEntries().list()}},
-      "Selects the scheme by which displacement and acceleration follow from the velocity. Newmark "
-      "needs inertia: where the deck names no scheme, a quasi-dynamic body has Generalised Alpha.");
+    .choiceOfLists("Scheme", &S::scheme, schemes, meaning_of_schemes);
   addEntriesOfWatches(entries.others());
   entries
-    .real(largest_step, &S::largest_step, "s", Range::positive(),
+    .real(largest_name, &S::largest_step, "s", Range::positive(),
           "The size of every step is this one divided by a power of two. The default is 2^25 s, "
           "about a year; where steps are prescribed, give it.")
     .real(
-      smallest_step, &S::smallest_step, optional, "s", Range::positive(),
+      smallest_name, &S::smallest_step, optional, "s", Range::positive(),
       "No step is smaller than this, rounded down to the largest step divided by a power of two. "
       "Without it this is a hundredth of L over a seismic slip rate 20 b sigma_n / Z, where Z is "
       "the shear impedance at the fault, and with inertia at most a tenth of the time that a shear "
@@ -151,14 +104,21 @@ std::string meaningOfTime()
 
 TimeSettings TimeSettings::from(ParameterList const& list)
 {
-  return timeEntries().read(list, time_path);
+  auto settings = timeEntries().read(list, time_path);
+  settings.names_largest_step = !list.getEntry(largest_name).isDefault();
+  settings.scheme_list = list.sublist(settings.scheme);
+  settings.control_list = list.sublist(settings.control);
+  constexpr char const* name = "Tolerance";
+  if (settings.control_list.isType<double>(name)) {
+    settings.tolerance = settings.control_list.get<double>(name);
+  }
+  return settings;
 }
 
-std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
+std::vector<dynamics::DyadicTime::Ticks> instants(TimeSettings const& settings,
                                                   std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock)
 {
-  auto const settings = TimeSettings::from(list);
   auto times = settings.instants;
   times.insert(times.end(), output_times.begin(), output_times.end());
   std::vector<dynamics::DyadicTime::Ticks> result = {clock.reaching(settings.final_time)};
@@ -171,24 +131,16 @@ std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
   return result;
 }
 
-double stepTolerance(ParameterList const& list)
+dynamics::DyadicTime makeClock(TimeSettings const& settings)
 {
-  auto const& control = list.sublist(TimeSettings::from(list).control);
-  constexpr char const* name = "Tolerance";
-  return control.isType<double>(name) ? control.get<double>(name) : 0;
-}
-
-dynamics::DyadicTime makeClock(ParameterList const& list)
-{
-  auto const given = TimeSettings::from(list).smallest_step;
-  ASPERITY_REQUIRE(given, time_path << " / " << smallest_step
+  auto const given = settings.smallest_step;
+  ASPERITY_REQUIRE(given, time_path << " / " << smallest_name
                                     << " is missing: it has no default here. Give it.");
-  return makeClock(list, *given);
+  return makeClock(settings, *given);
 }
 
-dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
+dynamics::DyadicTime makeClock(TimeSettings const& settings, double smallest)
 {
-  auto const settings = TimeSettings::from(list);
   const double largest = settings.largest_step;
   ASPERITY_REQUIRE(smallest <= largest, time_path << " / Smallest Step = " << smallest
                                                   << " s is larger than the largest step, "
@@ -219,43 +171,19 @@ dynamics::DyadicTime makeClock(ParameterList const& list, double smallest)
   return clock;
 }
 
-dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass)
-{
-  auto const scheme = TimeSettings::from(list).scheme;
-  if (scheme == "Backward Euler") {
-    return dynamics::RateUpdate::backwardEuler();
-  }
-  if (scheme == "Generalised Alpha") {
-    const double radius = generalisedAlphaEntries()
-                            .read(list.sublist(scheme), joinPath(time_path, scheme))
-                            .spectral_radius;
-    ASPERITY_REQUIRE(
-      has_mass || radius < 1,
-      time_path << " / Generalised Alpha / Spectral Radius = 1 damps nothing, and without "
-                   "mass (Quasi-dynamic) the velocity would change its sign in every "
-                   "step. Choose one below 1.");
-    return dynamics::RateUpdate::generalisedAlpha(radius);
-  }
-  ASPERITY_REQUIRE(has_mass, time_path
-                               << " / Scheme = 'Newmark' needs inertia: without mass "
-                                  "(Quasi-dynamic) its velocity would change its sign in every "
-                                  "step. Choose 'Generalised Alpha' or 'Backward "
-                                  "Euler'.");
-  return newmark(list);
-}
-
-std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+std::unique_ptr<dynamics::StepControl> makeStepControl(TimeSettings const& settings,
                                                        std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step,
                                                        ControlSetting const& setting)
 {
-  auto const name = TimeSettings::from(list).control;
-  auto control = dynamics::StepControlRegistry::instance().at(name).make(
-    list.sublist(name), {step, step.update().order, time_path, setting.wave_rate,
-                         instants(list, output_times, step.clock()), setting.displacement,
-                         setting.least_motion[0], setting.least_motion[1], setting.place_of});
-  ASPERITY_REQUIRE(control->adapts() || !list.getEntry(largest_step).isDefault(),
-                   time_path << " / " << largest_step << " is missing: prescribed steps need it.");
+  auto control = dynamics::StepControlRegistry::instance()
+                   .at(settings.control)
+                   .make(settings.control_list,
+                         {step, step.update().order, time_path, setting.wave_rate,
+                          instants(settings, output_times, step.clock()), setting.displacement,
+                          setting.least_motion[0], setting.least_motion[1], setting.place_of});
+  ASPERITY_REQUIRE(control->adapts() || settings.names_largest_step,
+                   time_path << " / " << largest_name << " is missing: prescribed steps need it.");
   return control;
 }
 } // namespace asperity::scenario

@@ -15,37 +15,33 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 std::string meaningOfTime();
 
-// The entries of this list, without those of its sublists.
+// What the list says, but for the entries of watches.
 struct TimeSettings
 {
   double final_time = 0;        // [s]
   std::vector<double> instants; // [s]
   std::string scheme = "Newmark";
   double largest_step = 33554432;      // [s]
+  bool names_largest_step = false;     // whether the deck gives it
   std::optional<double> smallest_step; // [s]
   std::string control = "Step Doubling";
+  ParameterList scheme_list, control_list; // the lists of the chosen scheme and control
+  double tolerance = 0;                    // of the control; 0 if it has none
 
   static TimeSettings from(ParameterList const& list);
 };
 
-// The default of `Scheme` for a body without mass.
-constexpr char const* massless_scheme = "Generalised Alpha";
-
-// `Tolerance` of the control that the list chooses; 0 if that has none.
-double stepTolerance(ParameterList const& list);
 // `Final Time`, and those of `Instants` and of the output times [s] that are in the run, in ticks,
 // ascending.
-std::vector<dynamics::DyadicTime::Ticks> instants(ParameterList const& list,
+std::vector<dynamics::DyadicTime::Ticks> instants(TimeSettings const& settings,
                                                   std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock);
-// With the smallest step [s] of the list, or another one. Throws InputError where it is missing,
+// With the smallest step [s] of the deck, or another one. Throws InputError where it is missing,
 // where the largest step is more than 2^60 times as large, or where the run is longer than 4.5e18
 // of them.
-dynamics::DyadicTime makeClock(ParameterList const& list);
-dynamics::DyadicTime makeClock(ParameterList const& list, double smallest);
-// Without mass throws InputError for a scheme that damps nothing (Newmark, or generalised alpha
-// with spectral radius 1): its velocity would have the amplification factor -1.
-dynamics::RateUpdate makeRateUpdate(ParameterList const& list, bool has_mass = true);
+dynamics::DyadicTime makeClock(TimeSettings const& settings);
+dynamics::DyadicTime makeClock(TimeSettings const& settings, double smallest);
+
 // What a step control knows of the problem beside its step.
 struct ControlSetting
 {
@@ -55,8 +51,8 @@ struct ControlSetting
   std::function<std::string(int)> place_of; // see dynamics::ControlContext
 };
 
-// No step passes the end of the run, an instant of the list, or an output time [s].
-std::unique_ptr<dynamics::StepControl> makeStepControl(ParameterList const& list,
+// No step passes the end of the run, an instant of the settings, or an output time [s].
+std::unique_ptr<dynamics::StepControl> makeStepControl(TimeSettings const& settings,
                                                        std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step,
                                                        ControlSetting const& setting = {});

@@ -98,13 +98,11 @@ bool isLeftOut(ParameterList const& list, std::string const& name)
   return entry == nullptr || entry->isDefault(); // as completeDirections() writes it
 }
 
-Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
-                  FreeSurface const& open)
+Upright uprightOf(BulkSettings const& bulk, ParameterList const& output, int dimension,
+                  FreeSurface const& surface, FreeSurface const& open)
 {
-  auto const bulk = BulkSettings::from(deck.sublist("Bulk"));
   auto const names = quotedNames(surface.boundaries);
   const bool has_gravity = bulk.hasGravity();
-  auto const& output = deck.sublist("Output");
   auto const up = dimension == 3 && !isLeftOut(output, "Up")
                     ? given(io::DirectionUp::from(output).up)
                     : std::nullopt;
@@ -184,16 +182,12 @@ ParameterList& completeDirections(ParameterList& deck, int dimension, Upright co
   };
   auto const& up = upright.up;
   set(deck.sublist("Output"), "Up", std::vector<double>{up[0], up[1], up[2]});
-  auto& bulk = deck.sublist("Bulk");
   auto const down = opposite(up);
   std::vector<double> direction = {down[0], down[1]};
-  const bool acts = BulkSettings::from(bulk).hasGravity();
-  if (dimension == 3 && down[2] != 0 && acts) {
+  if (dimension == 3 && down[2] != 0) {
     direction.push_back(down[2]);
   }
-  // Where gravity does not act, its direction has no effect: that of earlier versions lets their
-  // checkpoints go on.
-  set(bulk, "Gravity Direction", acts ? direction : std::vector<double>{0, -1});
+  set(deck.sublist("Bulk"), "Gravity Direction", direction);
   return deck;
 }
 } // namespace asperity::scenario

@@ -31,15 +31,15 @@ struct FreeSurface
 // Whether the completed list has an entry that follows from the mesh where the deck leaves it out.
 bool isLeftOut(ParameterList const& list, std::string const& name);
 
-// Up is the deck's `Output / Up`, in three dimensions. Without it, it is the axis that is nearest
-// to the outward normal of the free surface, or that normal itself if it is more than 40 degrees
-// from all axes; without a free surface that faces somewhere, the same of the vector against
-// gravity, if the deck gives its direction; or else, in three dimensions where gravity acts, the
-// same of the boundaries that nothing holds, those without a condition or under a traction (open),
-// if they face one way. Otherwise it is +y. Throws InputError where two of free surface, gravity
-// and `Up` contradict each other.
-Upright uprightOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
-                  FreeSurface const& open = {});
+// Up is `Up` of the deck's list `Output`, in three dimensions. Without it, it is the axis that is
+// nearest to the outward normal of the free surface, or that normal itself if it is more than 40
+// degrees from all axes; without a free surface that faces somewhere, the same of the vector
+// against gravity, if the deck gives its direction; or else, in three dimensions where gravity
+// acts, the same of the boundaries that nothing holds, those without a condition or under a
+// traction (open), if they face one way. Otherwise it is +y. Throws InputError where two of free
+// surface, gravity and `Up` contradict each other.
+Upright uprightOf(BulkSettings const& bulk, ParameterList const& output, int dimension,
+                  FreeSurface const& surface, FreeSurface const& open = {});
 
 // A warning where gravity acts in three dimensions and nothing says which way is up.
 std::optional<Warning> warnOfUp(BulkSettings const& bulk, int dimension, Upright const& upright);

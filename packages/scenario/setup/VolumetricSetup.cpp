@@ -73,13 +73,12 @@ double lostSlip(double poissons_ratio, int components)
 } // namespace
 
 template <int Dim>
-fem::VolumetricPatches makePatches(ParameterList const& bulk,
+fem::VolumetricPatches makePatches(BulkSettings const& bulk, ParameterList const& list,
                                    std::vector<std::string> const& faults, Mesh<Dim>& mesh,
                                    Rock& rock, Communicator const& communicator)
 {
-  auto const settings = BulkSettings::from(bulk);
-  auto const choice = settings.volumetric_strain;
-  if (settings.components != Dim || choice == VolumetricStrain::of_cell) {
+  auto const choice = bulk.volumetric_strain;
+  if (bulk.components != Dim || choice == VolumetricStrain::of_cell) {
     return {};
   }
   auto moduli = ownModuli(choice, rock);
@@ -89,7 +88,7 @@ fem::VolumetricPatches makePatches(ParameterList const& bulk,
   auto vertices = fem::patchVertices(mesh, faults, communicator);
   if (communicator.getSize() > 1) {
     mesh::completeGroups(mesh, vertices, communicator);
-    rock = makeRock(bulk, mesh, communicator);
+    rock = makeRock(bulk, list, mesh, communicator);
     moduli = ownModuli(choice, rock);
     vertices = fem::patchVertices(mesh, faults, communicator);
   }
@@ -125,8 +124,10 @@ std::vector<Warning> warnOfLocking(BulkSettings const& bulk, Rock const& rock,
                           "smaller cells, or another law there.")}};
 }
 
-template fem::VolumetricPatches makePatches(ParameterList const&, std::vector<std::string> const&,
-                                            Mesh<2>&, Rock&, Communicator const&);
-template fem::VolumetricPatches makePatches(ParameterList const&, std::vector<std::string> const&,
-                                            Mesh<3>&, Rock&, Communicator const&);
+template fem::VolumetricPatches makePatches(BulkSettings const&, ParameterList const&,
+                                            std::vector<std::string> const&, Mesh<2>&, Rock&,
+                                            Communicator const&);
+template fem::VolumetricPatches makePatches(BulkSettings const&, ParameterList const&,
+                                            std::vector<std::string> const&, Mesh<3>&, Rock&,
+                                            Communicator const&);
 } // namespace asperity::scenario

@@ -13,9 +13,9 @@ namespace asperity::scenario
 {
 // The patches of cells that share a volumetric strain; none in an antiplane model, and where no
 // cell needs one. Several ranks then get the missing cells of their patches: mesh and rock become
-// larger. faults: names of boundaries. Collective.
+// larger. list: the deck's list `Bulk`. faults: names of boundaries. Collective.
 template <int Dim>
-fem::VolumetricPatches makePatches(ParameterList const& bulk,
+fem::VolumetricPatches makePatches(BulkSettings const& bulk, ParameterList const& list,
                                    std::vector<std::string> const& faults, Mesh<Dim>& mesh,
                                    Rock& rock, Communicator const& communicator);
 

@@ -184,22 +184,18 @@ void TensionWatch::save(Archive& archive) const
   archive.set("share", most_.share);
   archive.set("largest", most_.largest);
   archive.set("time", most_.time);
-  archive.set("told", warned_share_);
+  archive.set("warned_share", warned_share_);
   for (int d = 0; d < 3; ++d) {
     archive.set("place_" + std::to_string(d), most_.place[d]);
   }
 }
 
-// Earlier versions save nothing of it.
 void TensionWatch::restore(Archive const& archive, Restart const&)
 {
-  if (!archive.has("share")) {
-    return;
-  }
   most_.share = archive.getDouble("share");
   most_.largest = archive.getDouble("largest");
   most_.time = archive.getDouble("time");
-  warned_share_ = archive.getDouble("told");
+  warned_share_ = archive.getDouble("warned_share");
   for (int d = 0; d < 3; ++d) {
     most_.place[d] = archive.getDouble("place_" + std::to_string(d));
   }

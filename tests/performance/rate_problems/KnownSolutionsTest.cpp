@@ -2,6 +2,7 @@
 #include "dynamics/coupling/RateSolver.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "performance/rate_problems/Bp5.hpp"
+#include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Core.hpp>
@@ -97,7 +98,7 @@ std::vector<Solved> solveAll(int cell_size, std::string const& correction_tolera
   auto const deck = bp5(cell_size, {"TNNMG/Multigrid/Hierarchy=Rebuild",
                                     "TNNMG/Correction Tolerance=" + correction_tolerance});
   auto const problem = scenario::makeProblem<3>(*deck, communicator);
-  auto const update = scenario::makeRateUpdate(deck->sublist("Time Stepping"), false);
+  auto const update = scenario::makeRateUpdate(problem.settings.time, false);
   std::vector<Solved> all;
   for (double tau : {1e5, 1.}) {
     auto const Z =

@@ -2,6 +2,7 @@
 #include "fem/BodyMatrices.hpp"
 #include "performance/rate_problems/Bp5.hpp"
 #include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <MueLu_CreateTpetraPreconditioner.hpp>
@@ -86,7 +87,7 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
   // 1. The steps of a run, and solvers of their own for rate problems.
   auto const deck = bp5(2);
   auto const problem = scenario::makeProblem<3>(*deck, Tpetra::getDefaultComm());
-  auto const& time = deck->sublist("Time Stepping");
+  auto const& time = problem.settings.time;
   auto const update = scenario::makeRateUpdate(time, false);
   auto const clock = scenario::makeClock(time);
   const auto budget = scenario::memoryBudget(deck->sublist("TNNMG"));

@@ -53,17 +53,6 @@ class Conditions(FaultCase):
                     "the initial slip rate is zero", "Give 'Slip Rate' a value there",
                     "the same on both sides")
 
-    def test_files_for_platforms_are_no_output_any_more(self):
-        for name, inside in (("Text Format", '<Parameter name="Text Format" type="string" '
-                                             'value="SEAS"/>'),
-                             ("SCEC", '<ParameterList name="SCEC"/>')):
-            pathlib.Path("former.xml").write_text(
-                '<ParameterList name="Asperity"><ParameterList name="Output">'
-                f'{inside}</ParameterList></ParameterList>')
-            self.assert_refused([*self.arguments(TWO_SIDED), "--overlay", "former.xml"],
-                                f"Asperity / Output / {name} is no entry of a deck any more",
-                                f'--remove "Output/{name}"', "asperity-platform write DIR")
-
     def test_on_the_surface_of_the_body(self):
         self.refuse({"Boundary Conditions/Fault/Type": "Two-Sided Fault"},
                     f"{CONDITIONS} / Fault / Boundary = 'bottom' is no fault inside the body",

@@ -2,7 +2,7 @@
 
 #include "SampleDeck.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "scenario/DeckReader.hpp"
+#include "scenario/DeckParameters.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 

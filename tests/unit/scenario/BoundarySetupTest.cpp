@@ -1,6 +1,7 @@
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include "SampleDeck.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <set>
@@ -53,14 +54,20 @@ ParameterList driven(std::function<void(ParameterList&)> const& change)
          })
     .sublist("Boundary Conditions");
 }
+
+template <int Dim>
+BoundaryConditions<Dim> make(ParameterList const& list, int components)
+{
+  return makeBoundaryConditions<Dim>(readConditions(list), components);
+}
 } // namespace
 
 TEST(BoundarySetup, TurnsConditionsIntoPrescribedVelocities)
 {
-  const auto result = makeBoundaryConditions<2>(conditions({{"Wall", "right", "Sliding Wall"},
-                                                            {"Ground", "left", "Fixed"},
-                                                            {"Air", "top", "Free Surface"}}),
-                                                2);
+  const auto result = make<2>(conditions({{"Wall", "right", "Sliding Wall"},
+                                          {"Ground", "left", "Fixed"},
+                                          {"Air", "top", "Free Surface"}}),
+                              2);
   EXPECT_EQ(result.faults, fem::Boundaries{"bottom"});
   EXPECT_EQ(result.surface, "top");
   EXPECT_EQ(result.ramp_end, 0);
@@ -81,8 +88,8 @@ TEST(BoundarySetup, TurnsConditionsIntoPrescribedVelocities)
 
 TEST(BoundarySetup, HasNoNormalInAntiplane)
 {
-  const auto result = makeBoundaryConditions<2>(
-    conditions({{"Wall", "right", "Sliding Wall"}, {"Ground", "left", "Fixed"}}), 1);
+  const auto result =
+    make<2>(conditions({{"Wall", "right", "Sliding Wall"}, {"Ground", "left", "Fixed"}}), 1);
   ASSERT_EQ(result.velocities.size(), 1U);
   EXPECT_EQ(result.velocities[0].boundary, "left");
   EXPECT_EQ(as<fem::AtRestAlong>(result.velocities[0]).d, std::vector<double>{1});
@@ -90,8 +97,7 @@ TEST(BoundarySetup, HasNoNormalInAntiplane)
 
 TEST(BoundarySetup, PrescribesAVelocityWithARamp)
 {
-  const auto result =
-    makeBoundaryConditions<2>(driven([](ParameterList& condition) {
+  const auto result = make<2>(driven([](ParameterList& condition) {
                                 condition.set("Velocity", "2 * (1 + x) * (1 + t)");
                                 condition.set("Ramp Duration", 4.);
                                 condition.set("Direction", array<double>({0, 2}));
@@ -105,18 +111,18 @@ TEST(BoundarySetup, PrescribesAVelocityWithARamp)
   EXPECT_NEAR(push.velocity({1, 0}, 4), 20, 1e-13);
   EXPECT_NEAR(push.velocity({0, 0}, 9), 20, 1e-13);
 
-  const auto sudden = makeBoundaryConditions<2>(
-    driven([](ParameterList& condition) { condition.set("Velocity", 3.); }), 2);
+  const auto sudden =
+    make<2>(driven([](ParameterList& condition) { condition.set("Velocity", 3.); }), 2);
   EXPECT_EQ(sudden.velocities.back().velocity({0, 0}, 0), 3);
 }
 
 TEST(BoundarySetup, LeavesAnAntisymmetricFaultFreeAcross)
 {
-  const auto contact = makeBoundaryConditions<2>(conditions({}), 2);
+  const auto contact = make<2>(conditions({}), 2);
   EXPECT_FALSE(contact.other_side.is_mirrored);
   EXPECT_TRUE(is<fem::ContactAcrossFault>(contact.velocities.at(0)));
   for (int components : {1, 2}) {
-    const auto result = makeBoundaryConditions<2>(
+    const auto result = make<2>(
       conditions({{"Wall", "right", "Sliding Wall"}, {"Fault", "bottom", "Antisymmetric Fault"}},
                  false),
       components);
@@ -144,7 +150,7 @@ TEST(BoundarySetup, LetsTheFaultGoOnAtAPrescribedSlipRate)
                         deeper.set("Slip Rate", -6.);
                         given.sublist("Fault").set("Type", type);
                       }).sublist("Boundary Conditions");
-    const auto plane = makeBoundaryConditions<2>(list, 2).velocities;
+    const auto plane = make<2>(list, 2).velocities;
     const std::vector<std::string> along = {"bottom", "left", "right"};
     ASSERT_EQ(plane.size(), 5U);
     for (int i = 0; i < 3; ++i) {
@@ -160,7 +166,7 @@ TEST(BoundarySetup, LetsTheFaultGoOnAtAPrescribedSlipRate)
     EXPECT_EQ(plane[3].velocity({2, 0}, 1), 12 / factor);
     EXPECT_EQ(plane[4].velocity({2, 0}, 1), -6 / factor);
 
-    const auto antiplane = makeBoundaryConditions<2>(list, 1).velocities;
+    const auto antiplane = make<2>(list, 1).velocities;
     ASSERT_EQ(antiplane.size(), 2U);
     EXPECT_EQ(as<fem::PrescribedVelocity<2>>(antiplane[0]).d, std::vector<double>{1});
     EXPECT_EQ(antiplane[0].velocity({2, 0}, 1), 12 / factor);
@@ -175,7 +181,7 @@ TEST(BoundarySetup, SlipsInSpaceTowardsItsDirectionAndNotSideways)
     condition.set("Type", "Prescribed Slip Rate").set("Slip Rate", 3.);
     condition.set("Direction", array<double>({0, 0, 2}));
   });
-  const auto result = makeBoundaryConditions<3>(list, 3).velocities;
+  const auto result = make<3>(list, 3).velocities;
   ASSERT_GE(result.size(), 2U);
   auto const& along = as<fem::SlipTowards<3>>(result[result.size() - 2]);
   auto const& sideways = as<fem::NoSlipSideways>(result.back());
@@ -189,11 +195,11 @@ TEST(BoundarySetup, SlipsInSpaceTowardsItsDirectionAndNotSideways)
 TEST(BoundarySetup, HoldsOneDirectionWhereADrivenBoundaryMeetsTheFault)
 {
   for (double velocity : {0., 2.}) {
-    const auto result = makeBoundaryConditions<3>(driven([velocity](ParameterList& condition) {
-                                                    condition.remove("Direction", false);
-                                                    condition.set("Velocity", velocity);
-                                                  }),
-                                                  3)
+    const auto result = make<3>(driven([velocity](ParameterList& condition) {
+                                  condition.remove("Direction", false);
+                                  condition.set("Velocity", velocity);
+                                }),
+                                3)
                           .velocities;
     ASSERT_EQ(result.size(), 2U);
     EXPECT_TRUE(is<fem::ContactAcrossFault>(result.front()));
@@ -218,14 +224,14 @@ TEST(BoundarySetup, KnowsWhoReadsEachEntry)
 TEST(BoundarySetup, WantsTheSlipRateThatIsPrescribed)
 {
   const auto list = conditions({{"Deep", "left", "Prescribed Slip Rate"}});
-  expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+  expectRefusal([&] { make<2>(list, 2); },
                 {"Asperity / Boundary Conditions / Deep / Slip Rate", "missing"});
 }
 
 TEST(BoundarySetup, CollectsAbsorbingBoundaries)
 {
-  const auto result = makeBoundaryConditions<2>(
-    conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
+  const auto result =
+    make<2>(conditions({{"A", "left", "Absorbing"}, {"B", "top", "Absorbing"}}), 2);
   ASSERT_EQ(result.resistances.size(), 2U);
   EXPECT_EQ(result.resistances[0].boundary, "left");
   EXPECT_EQ(result.resistances[1].boundary, "top");
@@ -238,8 +244,7 @@ TEST(BoundarySetup, RefusesADirectionThatIsNone)
   for (auto const& direction : {std::vector<double>{0, 0}, {1}, {1, 0, 0}}) {
     const auto list =
       driven([&](ParameterList& condition) { condition.set("Direction", array(direction)); });
-    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
-                  {"Asperity / Boundary Conditions / Left / Direction"});
+    expectRefusal([&] { make<2>(list, 2); }, {"Asperity / Boundary Conditions / Left / Direction"});
   }
 }
 
@@ -260,9 +265,8 @@ TEST(BoundarySetup, RefusesADirectionWhereThereIsOne)
     {"Prescribed Velocity", 1}, {"Prescribed Slip Rate", 1}, {"Prescribed Slip Rate", 2}};
   for (auto const& [type, components] : cases) {
     const auto list = directed(type);
-    expectParts(
-      refusal([&, components = components] { makeBoundaryConditions<2>(list, components); }),
-      {"Asperity / Boundary Conditions / Left / Direction", "no effect"});
+    expectParts(refusal([&, components = components] { make<2>(list, components); }),
+                {"Asperity / Boundary Conditions / Left / Direction", "no effect"});
   }
 }
 
@@ -281,13 +285,13 @@ TEST(BoundarySetup, RefusesConditionsThatContradict)
     {"Fixed", "Fixed"}};
   for (auto const& [first, second] : pairs) {
     const auto list = conditions({{"A", "top", first}, {"B", "top", second}});
-    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+    expectRefusal([&] { make<2>(list, 2); },
                   {"Asperity / Boundary Conditions / A", "Asperity / Boundary Conditions / B",
                    "contradicts", "'top'"});
   }
   for (char const* type : {"Fixed", "Absorbing", "Prescribed Slip Rate"}) {
     const auto on_fault = conditions({{"A", "bottom", type}});
-    expectRefusal([&] { makeBoundaryConditions<2>(on_fault, 2); },
+    expectRefusal([&] { make<2>(on_fault, 2); },
                   {"contradicts", "'bottom'", "Asperity / Boundary Conditions / Fault",
                    "Asperity / Boundary Conditions / A"});
   }
@@ -306,7 +310,7 @@ TEST(BoundarySetup, RefusesEntriesThatItsTypeDoesNotRead)
     const auto list = driven([&, type = type, entry = entry](ParameterList& condition) {
       condition.set("Type", type).set(entry, 1.);
     });
-    expectRefusal([&] { makeBoundaryConditions<2>(list, 2); },
+    expectRefusal([&] { make<2>(list, 2); },
                   {"Asperity / Boundary Conditions / Left / " + entry, "no effect", type});
   }
 }
@@ -315,14 +319,14 @@ TEST(BoundarySetup, AllowsConditionsInDifferentDirections)
 {
   const auto list =
     conditions({{"A", "left", "Sliding Wall"}, {"B", "left", "Prescribed Velocity"}});
-  EXPECT_EQ(makeBoundaryConditions<2>(list, 2).velocities.size(), 3U);
+  EXPECT_EQ(make<2>(list, 2).velocities.size(), 3U);
 }
 
 TEST(BoundarySetup, WantsAtMostOneFaultOfMostTypes)
 {
   const auto none = conditions({{"A", "left", "Fixed"}}, false);
-  EXPECT_TRUE(makeBoundaryConditions<2>(none, 2).faults.empty());
+  EXPECT_TRUE(make<2>(none, 2).faults.empty());
   const auto two = conditions({{"Second", "top", "Antisymmetric Fault"}});
-  expectRefusal([&] { makeBoundaryConditions<2>(two, 2); }, {"there is already a fault"});
+  expectRefusal([&] { make<2>(two, 2); }, {"there is already a fault"});
 }
 } // namespace asperity::scenario

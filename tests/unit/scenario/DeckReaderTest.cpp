@@ -1,4 +1,5 @@
 #include "scenario/DeckReader.hpp"
+#include "scenario/DeckRemarks.hpp"
 
 #include "SampleDeck.hpp"
 #include "dynamics/FaultProcess.hpp"

@@ -4,6 +4,7 @@
 #include "parameters/Deck.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/run/OtherRun.hpp"
+#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
 
@@ -66,7 +67,8 @@ TEST(FaultKind, IsOneFile)
     conditions.sublist("Deep").set("Slip Rate", 6.);
     given.sublist("Friction").set("Normal Stress", 1e4);
   });
-  const auto result = makeBoundaryConditions<2>(deck.sublist("Boundary Conditions"), 2);
+  const auto result =
+    makeBoundaryConditions<2>(readConditions(deck.sublist("Boundary Conditions")), 2);
   ASSERT_FALSE(result.velocities.empty());
   EXPECT_TRUE(std::holds_alternative<fem::FreeAcrossFault>(result.velocities.front().kind));
   auto const problem = makeProblem<2>(deck, world());

@@ -2,7 +2,11 @@
 
 #include "SampleDeck.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "scenario/setup/mesh/GeneratedMesh.hpp"
 #include "unit/base/Refusal.hpp"
+
+#include <map>
+#include <string>
 
 namespace asperity::scenario
 {
@@ -38,6 +42,19 @@ std::size_t facetsOn(Mesh<2> const& mesh, std::string const& boundary)
 } // namespace
 
 TEST(MeshSetup, LeavesARectangleWithoutCellSizeAsItIs) { EXPECT_EQ(halfSpace().cells.size(), 8); }
+
+TEST(MeshSetup, KnowsTheDimensionOfEachType)
+{
+  std::map<std::string, int> dimensions;
+  for (auto const& type : generatedMeshes()) {
+    ParameterList list("Mesh");
+    list.set("Type", type.name);
+    completeAndValidate(list, *meshParameters(), "Asperity / Mesh");
+    dimensions[type.name] = meshDimension(list, *world());
+  }
+  EXPECT_EQ(dimensions, (std::map<std::string, int>{
+                          {"Wedge", 2}, {"Rectangle", 2}, {"Deep Wedge", 3}, {"Box", 3}}));
+}
 
 TEST(MeshSetup, GradesARectangleByItsCellSize)
 {

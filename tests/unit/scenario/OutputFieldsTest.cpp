@@ -20,7 +20,7 @@ struct Start
   explicit Start(ParameterList const& given)
       : deck(given)
       , problem(makeProblem<2>(deck, world()))
-      , balance(problem.model.body, problem.model.fault, makeClock(deck.sublist("Time Stepping")))
+      , balance(problem.model.body, problem.model.fault, makeClock(problem.settings.time))
       , sample(problem.surface(), *problem.model.initial.u)
       , domains(makeDomains(problem))
   {

@@ -6,6 +6,7 @@
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
 #include "scenario/RunArchive.hpp"
+#include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -182,8 +183,8 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
       time.set("Control", "Prescribed").set("Smallest Step", 0.125);
       time.sublist("Prescribed").set("Levels", array(levels));
     });
-    auto const& time = deck.sublist("Time Stepping");
     auto const problem = makeProblem<2>(deck, world());
+    auto const& time = problem.settings.time;
     dynamics::CoupledStep step(problem.model.body, problem.model.fault, makeRateUpdate(time),
                                makeClock(time), {}, problem.solver, 1000000);
     return makeStepControl(time, {}, step) != nullptr;

@@ -32,9 +32,14 @@ ParameterList bulkList(
     .sublist("Bulk");
 }
 
+Rock rockOf(ParameterList const& list, Mesh<2> const& mesh)
+{
+  return makeRock(BulkSettings::from(list), list, mesh, *world());
+}
+
 std::vector<fem::Material> makeMaterials(ParameterList const& list, Mesh<2> const& mesh)
 {
-  return makeRock(list, mesh, *world()).materials;
+  return rockOf(list, mesh).materials;
 }
 
 void beAntiplane(ParameterList& list)
@@ -156,7 +161,7 @@ TEST(RockSetup, RelaxesAsTheElementsOfBurgers)
       given.set("Law", "Burgers").set("Viscosity", "x < 1 ? 3e6 : 1e9");
       given.set("Transient Viscosity", 2e5).set("Transient Shear Modulus", 4e6);
     });
-  const auto rock = makeRock(list, mesh, *world());
+  const auto rock = rockOf(list, mesh);
   ASSERT_EQ(rock.branches.size(), 4u);
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
     const double viscosity = mesh.region_names[mesh.cell_regions[cell]] == "left" ? 3e6 : 1e9;
@@ -179,7 +184,7 @@ TEST(RockSetup, GivesRegionsLawsOfTheirOwn)
       given.set("Shear Viscosity", 7.);
       given.sublist("Regions").sublist("right").set("Law", "Maxwell").set("Viscosity", 5e6);
     });
-  const auto rock = makeRock(list, mesh, *world());
+  const auto rock = rockOf(list, mesh);
   ASSERT_EQ(rock.branches.size(), 1u);
   EXPECT_NEAR(rock.branches[0].time, 5, 1e-14);
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
@@ -193,15 +198,15 @@ TEST(RockSetup, AsksALawForValuesInItsOwnRegionsAlone)
 {
   const auto mesh = twoRegions();
   const auto rock = [&mesh](char const* of_main_law) {
-    return makeRock(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
-                             [&](ParameterList& given) {
-                               given.remove("Shear Viscosity", false);
-                               given.sublist("Shear Viscosity").set(of_main_law, 7.);
-                               auto& own = given.sublist("Regions").sublist("right");
-                               own.set("Law", "Maxwell");
-                               own.sublist("Viscosity").set("right", 5e6);
-                             }),
-                    mesh, *world());
+    return rockOf(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+                           [&](ParameterList& given) {
+                             given.remove("Shear Viscosity", false);
+                             given.sublist("Shear Viscosity").set(of_main_law, 7.);
+                             auto& own = given.sublist("Regions").sublist("right");
+                             own.set("Law", "Maxwell");
+                             own.sublist("Viscosity").set("right", 5e6);
+                           }),
+                  mesh);
   };
   const auto found = rock("left");
   for (std::size_t cell = 0; cell < mesh.cells.size(); ++cell) {
@@ -217,12 +222,12 @@ TEST(RockSetup, RefusesLawsOfRegionsThatDoNotExistOrFlowBackwards)
 {
   const auto mesh = twoRegions();
   const auto make = [&mesh](char const* region, double viscosity) {
-    makeRock(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
-                      [&](ParameterList& given) {
-                        auto& own = given.sublist("Regions").sublist(region);
-                        own.set("Law", "Maxwell").set("Viscosity", viscosity);
-                      }),
-             mesh, *world());
+    rockOf(bulkList({{"Bulk Modulus", bulk}, {"Shear Modulus", shear}},
+                    [&](ParameterList& given) {
+                      auto& own = given.sublist("Regions").sublist(region);
+                      own.set("Law", "Maxwell").set("Viscosity", viscosity);
+                    }),
+           mesh);
   };
   expectRefusal([&] { make("rigt", 1e6); },
                 {"Asperity / Bulk / Regions / rigt: 'rigt' is not a region of the mesh.", "'right'",

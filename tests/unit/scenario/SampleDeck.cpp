@@ -3,7 +3,7 @@
 #include "mesh/Regions.hpp"
 #include "mesh/generation/RectangleMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
-#include "scenario/DeckReader.hpp"
+#include "scenario/DeckParameters.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_Vector.hpp>

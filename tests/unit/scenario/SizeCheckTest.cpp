@@ -125,7 +125,7 @@ TEST(SizeCheck, KnowsTheBodyOfADeck)
 {
   const auto deck = strip();
   const auto problem = makeProblem<2>(deck, world());
-  const auto size = bodySize(problem, deck);
+  const auto size = bodySize(problem);
   const double speed = std::sqrt(1e6 / 1000);
   EXPECT_DOUBLE_EQ(size.longest_axis, 2);
   EXPECT_DOUBLE_EQ(size.extent, std::sqrt(8));

@@ -55,7 +55,7 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
                             std::string const& name)
 {
   dynamics::EnergyBalance balance(problem.model.body, problem.model.fault,
-                                  makeClock(deck.sublist("Time Stepping")));
+                                  makeClock(problem.settings.time));
   balance.start(problem.model.initial);
   dynamics::FaultSample sample(problem.surface(), *problem.model.initial.u);
   sample.begin(problem.model.initial, 0, balance);

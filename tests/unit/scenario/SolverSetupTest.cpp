@@ -1,9 +1,12 @@
 #include "scenario/setup/SolverSetup.hpp"
 
 #include "SampleDeck.hpp"
+#include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <limits>
+#include <set>
+#include <string>
 
 namespace asperity::scenario
 {
@@ -12,22 +15,23 @@ using dynamics::Correction;
 
 namespace
 {
-ParameterList timeList(std::function<void(ParameterList&)> const& change)
+TimeSettings timeSettings(std::function<void(ParameterList&)> const& change)
 {
-  return completeDeck([&](ParameterList& deck) { change(deck.sublist("Time Stepping")); })
-    .sublist("Time Stepping");
+  return TimeSettings::from(completeDeck([&](ParameterList& deck) {
+                              change(deck.sublist("Time Stepping"));
+                            }).sublist("Time Stepping"));
 }
 
-ParameterList steps(double largest, double smallest, double end = 10)
+TimeSettings steps(double largest, double smallest, double end = 10)
 {
-  return timeList([&](ParameterList& list) {
+  return timeSettings([&](ParameterList& list) {
     list.set("Largest Step", largest).set("Smallest Step", smallest).set("Final Time", end);
   });
 }
 
-ParameterList beta(double value, double limit = 0)
+TimeSettings beta(double value, double limit = 0)
 {
-  return timeList([&](ParameterList& list) {
+  return timeSettings([&](ParameterList& list) {
     list.sublist("Newmark").set("beta", value).set("Stability Limit", limit);
   });
 }
@@ -68,7 +72,7 @@ TEST(TimeSetup, RefusesStepsThatCannotBeCounted)
 TEST(TimeSetup, RefusesAFinalTimeByItsNameWhereTheSmallestStepIsADefault)
 {
   const auto of_default = [](double largest, double end) {
-    return timeList([&](ParameterList& list) {
+    return timeSettings([&](ParameterList& list) {
       list.set("Largest Step", largest).set("Final Time", end).remove("Smallest Step");
     });
   };
@@ -85,11 +89,11 @@ TEST(TimeSetup, RefusesAFinalTimeByItsNameWhereTheSmallestStepIsADefault)
 
 TEST(TimeSetup, LeavesOutInstantsAfterTheEnd)
 {
-  const auto list = timeList([](ParameterList& given) {
+  const auto settings = timeSettings([](ParameterList& given) {
     given.set("Largest Step", 1.).set("Smallest Step", 0.5).set("Final Time", 10.);
     given.set("Instants", array<double>({1e300, 4., 10.}));
   });
-  EXPECT_EQ(instants(list, {2, 11, 0}, makeClock(list)),
+  EXPECT_EQ(instants(settings, {2, 11, 0}, makeClock(settings)),
             (std::vector<dynamics::DyadicTime::Ticks>{4, 8, 20}));
 }
 
@@ -100,9 +104,23 @@ TEST(TimeSetup, ChoosesTheScheme)
   EXPECT_EQ(newmark.mass_weight, 2);
   EXPECT_NEAR(newmark.stiffness_weight, 0.6, 1e-15);
   const auto euler =
-    makeRateUpdate(timeList([](auto& list) { list.set("Scheme", "Backward Euler"); }));
+    makeRateUpdate(timeSettings([](auto& list) { list.set("Scheme", "Backward Euler"); }));
   EXPECT_EQ(euler.mass_weight, 1);
   EXPECT_EQ(euler.stiffness_weight, 1);
+}
+
+// A row of the table is all that a scheme needs: each is chosen by its name, and makes its own.
+TEST(TimeSetup, MakesEachSchemeThatADeckCanName)
+{
+  std::set<std::string> made;
+  for (auto const& scheme : timeSchemes()) {
+    const auto settings = timeSettings([&](auto& list) { list.set("Scheme", scheme.name); });
+    EXPECT_EQ(settings.scheme, scheme.name);
+    EXPECT_FALSE(scheme.meaning.empty()) << scheme.name;
+    made.insert(makeRateUpdate(settings).name);
+  }
+  EXPECT_EQ(made.size(), timeSchemes().size());
+  EXPECT_EQ(made.count(massless_scheme), 1u);
 }
 
 TEST(TimeSetup, WantsALimitWhereNewmarkIsConditionallyStable)

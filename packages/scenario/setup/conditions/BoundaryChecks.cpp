@@ -129,13 +129,13 @@ void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions)
 }
 
 template <int Dim>
-void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh)
+void requireBoundaries(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh)
 {
   std::vector<std::string> names;
   for (auto const& entry : mesh.boundaries) {
     names.push_back(entry.first);
   }
-  for (auto const& condition : readConditions(list)) {
+  for (auto const& condition : conditions) {
     auto const& boundary = condition.boundary;
     ASPERITY_REQUIRE(mesh.boundaries.count(boundary) > 0, condition.name
                                                             << " / Boundary = '" << boundary
@@ -145,10 +145,9 @@ void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh)
 }
 
 template <int Dim>
-void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
+void requireFaults(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
                    Communicator const& communicator)
 {
-  auto const conditions = readConditions(list);
   const auto is_inside = [&mesh](std::string const& boundary) {
     return std::find(mesh.faults.begin(), mesh.faults.end(), boundary) != mesh.faults.end();
   };
@@ -276,8 +275,10 @@ ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)
 #undef ASPERITY_INSTANTIATE
 
-template void requireFaults(ParameterList const&, Mesh<2> const&, Communicator const&);
-template void requireFaults(ParameterList const&, Mesh<3> const&, Communicator const&);
-template void requireBoundaries(ParameterList const&, Mesh<2> const&);
-template void requireBoundaries(ParameterList const&, Mesh<3> const&);
+template void requireFaults(std::vector<BoundaryCondition> const&, Mesh<2> const&,
+                            Communicator const&);
+template void requireFaults(std::vector<BoundaryCondition> const&, Mesh<3> const&,
+                            Communicator const&);
+template void requireBoundaries(std::vector<BoundaryCondition> const&, Mesh<2> const&);
+template void requireBoundaries(std::vector<BoundaryCondition> const&, Mesh<3> const&);
 } // namespace asperity::scenario

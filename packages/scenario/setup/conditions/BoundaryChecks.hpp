@@ -22,7 +22,7 @@ void refuseUnreadEntries(std::vector<BoundaryCondition> const& conditions);
 // Throws InputError, with the nearest name, for a boundary that the mesh does not have. The names
 // are the same on all ranks.
 template <int Dim>
-void requireBoundaries(ParameterList const& list, Mesh<Dim> const& mesh);
+void requireBoundaries(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh);
 
 // Throws InputError, with both names, the number of common facets and a place, where two conditions
 // that say what traction acts share facets under different names: both would act there. Conditions
@@ -43,6 +43,6 @@ void requirePlaneOfMirror(std::vector<BoundaryCondition> const& conditions, Mesh
 // if the deck has a two-sided fault. Names parts of the body that touch there without common
 // vertices. Call after requireBoundaries. Collective.
 template <int Dim>
-void requireFaults(ParameterList const& list, Mesh<Dim> const& mesh,
+void requireFaults(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
                    Communicator const& communicator);
 } // namespace asperity::scenario

@@ -3,10 +3,8 @@
 #include "portability/Registry.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 
-#include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace asperity::scenario
 {
@@ -29,31 +27,10 @@ namespace asperity::scenario
 // result.velocities a condition on the velocity (fem::VelocityCondition), to result.tractions a
 // load (fem::BoundaryTraction), to result.resistances dashpots or springs
 // (fem::BoundaryResistance). InputError where the entries contradict each other.
-class BoundaryKind
-{
-public:
-  static constexpr char const* registered_as = "boundary condition";
-  BoundaryKind() = default;
-  virtual ~BoundaryKind() = default;
-  BoundaryKind(BoundaryKind const&) = delete;
-  BoundaryKind& operator=(BoundaryKind const&) = delete;
-
-  virtual std::string meaning() const = 0; // a sentence for the list of parameters
-  virtual DecidesOn decidesOn() const = 0;
-  // Whether the body moves freely there, but for a load: `static constexpr bool is_open = true`.
-  virtual bool isOpen() const = 0;
-  // Whether it reads the entry `Direction`, which several kinds share: `reads_direction`.
-  virtual bool readsDirection() const = 0;
-  virtual void declare(Declare& declare) const = 0;
-  virtual void add(BoundaryCondition const& condition, ConditionContext const& context,
-                   BoundaryConditions<2>& result) const = 0;
-  virtual void add(BoundaryCondition const& condition, ConditionContext const& context,
-                   BoundaryConditions<3>& result) const = 0;
-
-  std::vector<std::string> entries() const; // that it reads, without `Boundary` and `Type`
-};
-
-using BoundaryKindRegistry = Registry<BoundaryKind>;
+//
+// Optional are `static constexpr bool is_open = true`, where the body moves freely but for a load,
+// and `reads_direction = true`, for the entry `Direction`, which several kinds share.
+using BoundaryKindRegistry = Registry<ConditionType>;
 
 namespace detail
 {
@@ -85,29 +62,23 @@ struct ReadsDirection<Type, std::void_t<decltype(Type::reads_direction)>>
 };
 } // namespace detail
 
+// The type of condition that such a struct describes.
 template <class Type>
-class BoundaryKindOf final : public BoundaryKind
+struct BoundaryKindOf : ConditionType
 {
-public:
-  std::string meaning() const override { return Type::meaning; }
-  DecidesOn decidesOn() const override { return Type::decides_on; }
-  bool isOpen() const override { return detail::IsOpen<Type>::value; }
-  bool readsDirection() const override { return detail::ReadsDirection<Type>::value; }
-  void declare([[maybe_unused]] Declare& declare) const override
+  BoundaryKindOf()
   {
+    meaning = Type::meaning;
+    decides_on = Type::decides_on;
+    is_open = detail::IsOpen<Type>::value;
+    reads_direction = detail::ReadsDirection<Type>::value;
     if constexpr (detail::Declares<Type>::value) {
-      Type::declare(declare);
+      declare = [](Declare& entries) { Type::declare(entries); };
     }
-  }
-  void add(BoundaryCondition const& condition, ConditionContext const& context,
-           BoundaryConditions<2>& result) const override
-  {
-    Type::add(condition, context, result);
-  }
-  void add(BoundaryCondition const& condition, ConditionContext const& context,
-           BoundaryConditions<3>& result) const override
-  {
-    Type::add(condition, context, result);
+    const auto add = [](auto const& condition, auto const& context, auto& result) {
+      Type::add(condition, context, result);
+    };
+    makers = {ConditionMaker<2>(add), ConditionMaker<3>(add)};
   }
 };
 } // namespace asperity::scenario

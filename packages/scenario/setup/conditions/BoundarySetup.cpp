@@ -46,16 +46,16 @@ fem::Boundaries faultAndContinuations(Conditions const& conditions)
 // The fault comes first, then its continuations: the frames of their nodes follow these conditions,
 // and have the same normal where fault and continuation meet.
 template <int Dim>
-void layAlongFault(Conditions const& conditions, ConditionContext const& setting,
+void layAlongFault(Conditions const& conditions, ConditionContext const& context,
                    BoundaryConditions<Dim>& result)
 {
   auto& velocities = result.velocities;
   for (auto const& condition : conditions) {
     if (condition.liesAlongFault()) {
       fem::VelocityCondition<Dim> across = {condition.name, condition.boundary,
-                                            fem::ContactAcrossFault{setting.along_fault}};
+                                            fem::ContactAcrossFault{context.along_fault}};
       if (result.other_side.is_mirrored) {
-        across.kind = fem::FreeAcrossFault{setting.along_fault};
+        across.kind = fem::FreeAcrossFault{context.along_fault};
       }
       const bool is_fault = condition.type->isFault();
       velocities.insert(is_fault ? velocities.begin() : velocities.end(), across);
@@ -77,10 +77,10 @@ void takeContinuationsAsFaults(Conditions const& conditions, BoundaryConditions<
 }
 
 template <int Dim>
-void make(BoundaryCondition const& condition, ConditionContext const& setting,
+void make(BoundaryCondition const& condition, ConditionContext const& context,
           BoundaryConditions<Dim>& result)
 {
-  std::get<ConditionMaker<Dim>>(condition.type->makers)(condition, setting, result);
+  std::get<ConditionMaker<Dim>>(condition.type->makers)(condition, context, result);
 }
 } // namespace
 
@@ -138,7 +138,9 @@ RCP<const ParameterList> boundaryParameters()
   auto one_condition = commonEntries();
   auto const& registry = BoundaryKindRegistry::instance();
   for (auto const& name : registry.names()) {
-    registry.at(name).declare(one_condition.others());
+    if (auto const& declare = registry.at(name).declare) {
+      declare(one_condition.others());
+    }
   }
   auto const one = one_condition.list();
   return Declare()
@@ -161,29 +163,29 @@ bool haveFriction(ParameterList const& conditions)
 }
 
 template <int Dim>
-BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int components)
+BoundaryConditions<Dim> makeBoundaryConditions(std::vector<BoundaryCondition> const& conditions,
+                                               int components)
 {
-  auto const conditions = readConditions(list);
   refuseUnreadEntries(conditions);
   refuseContradictions(conditions);
-  const ConditionContext setting = {components, faultAndContinuations(conditions)};
+  const ConditionContext context = {components, faultAndContinuations(conditions)};
   BoundaryConditions<Dim> result;
   for (auto const& condition : conditions) {
     if (condition.type->isFault()) {
-      make(condition, setting, result);
+      make(condition, context, result);
     }
   }
   if (result.faults.empty()) {
     takeContinuationsAsFaults(conditions, result);
   }
   if (components > 1) {
-    layAlongFault(conditions, setting, result);
+    layAlongFault(conditions, context, result);
   }
   for (auto const& condition : conditions) {
     if (!condition.type->isFault()) {
-      make(condition, setting, result);
+      make(condition, context, result);
     } else if (isGiven(condition.list, "Slip Rate")) {
-      prescribeSlipRate(condition, setting, result);
+      prescribeSlipRate(condition, context, result);
     }
   }
   if (result.surface.empty() && !result.tractions.empty()) {
@@ -192,6 +194,6 @@ BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int co
   return result;
 }
 
-template BoundaryConditions<2> makeBoundaryConditions(ParameterList const&, int);
-template BoundaryConditions<3> makeBoundaryConditions(ParameterList const&, int);
+template BoundaryConditions<2> makeBoundaryConditions(std::vector<BoundaryCondition> const&, int);
+template BoundaryConditions<3> makeBoundaryConditions(std::vector<BoundaryCondition> const&, int);
 } // namespace asperity::scenario

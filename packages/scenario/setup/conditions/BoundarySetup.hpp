@@ -15,6 +15,8 @@ namespace asperity::scenario
 // The deck's list `Boundary Conditions`: one sublist, of any name, for each condition.
 RCP<const ParameterList> boundaryParameters();
 
+struct BoundaryCondition;
+
 template <int Dim>
 struct BoundaryConditions
 {
@@ -44,5 +46,6 @@ bool haveFriction(ParameterList const& conditions);
 // components: of the displacement, Dim or, in antiplane models, 1. Throws InputError on
 // contradictions that can be found without the mesh.
 template <int Dim>
-BoundaryConditions<Dim> makeBoundaryConditions(ParameterList const& list, int components);
+BoundaryConditions<Dim> makeBoundaryConditions(std::vector<BoundaryCondition> const& conditions,
+                                               int components);
 } // namespace asperity::scenario

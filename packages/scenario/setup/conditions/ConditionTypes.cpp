@@ -20,7 +20,7 @@ constexpr char const* prescribed_slip_rate = "Prescribed Slip Rate";
 
 // One fault, or several inside the body.
 template <int Dim>
-void fault(BoundaryCondition const& condition, ConditionContext const& setting,
+void fault(BoundaryCondition const& condition, ConditionContext const& context,
            BoundaryConditions<Dim>& result)
 {
   auto const& other_side = condition.type->other_side;
@@ -34,7 +34,7 @@ void fault(BoundaryCondition const& condition, ConditionContext const& setting,
     result.given_slip.push_back(condition.boundary);
   }
   result.other_side = other_side;
-  auto const plate = plateRateOf(condition, setting.components);
+  auto const plate = plateRateOf(condition, context.components);
   if (plate) {
     result.plate_rates.push_back(plate);
   }
@@ -86,7 +86,7 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
 // v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
 // the projection of the direction onto the boundary, and none at right angles to it.
 template <int Dim>
-void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& setting,
+void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& context,
                        BoundaryConditions<Dim>& result)
 {
   ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
@@ -94,21 +94,21 @@ void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext cons
                      << " is missing: the rate at which the boundary slips, 0 if it is locked.");
   auto const rate = fieldIfGiven(condition, "Slip Rate");
   auto const velocity = withoutPlates(rate, result);
-  if (setting.components < 3) {
+  if (context.components < 3) {
     refuseDirection(condition, "in two dimensions a fault slips along its tangent");
   }
   const auto add = [&](typename fem::VelocityCondition<Dim>::Kind const& kind) {
     result.velocities.push_back({condition.name, condition.boundary, kind});
   };
-  if (setting.components == 1) {
+  if (context.components == 1) {
     add(fem::PrescribedVelocity<Dim>{{1.}, velocity});
-  } else if (setting.components == 2) {
-    add(fem::SlipAlongTangent<Dim>{velocity, setting.along_fault});
+  } else if (context.components == 2) {
+    add(fem::SlipAlongTangent<Dim>{velocity, context.along_fault});
   } else {
-    auto const direction = directionOf(condition, setting.components);
+    auto const direction = directionOf(condition, context.components);
     requireDirectionOfPlates(condition, direction, result);
-    add(fem::SlipTowards<Dim>{direction, velocity, setting.along_fault});
-    add(fem::NoSlipSideways{direction, setting.along_fault});
+    add(fem::SlipTowards<Dim>{direction, velocity, context.along_fault});
+    add(fem::NoSlipSideways{direction, context.along_fault});
   }
 }
 
@@ -119,19 +119,49 @@ template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const
 
 namespace
 {
-ConditionType typeOf(std::string const& name, BoundaryKind const& kind)
+ConditionType faultType(std::string const& name, FaultKind const& kind)
 {
-  const auto add = [&kind](auto const& condition, auto const& context, auto& result) {
-    kind.add(condition, context, result);
-  };
-  return {name,
-          kind.meaning(),
-          kind.entries(),
-          ConditionPlace::elsewhere,
-          kind.decidesOn(),
-          {ConditionMaker<2>(add), ConditionMaker<3>(add)},
-          {},
-          kind.isOpen()};
+  ConditionType type;
+  type.name = name;
+  type.meaning = kind.meaning;
+  type.place = ConditionPlace::fault;
+  type.decides_on = DecidesOn::traction;
+  type.makers = {fault<2>, fault<3>};
+  type.other_side = kind.other_side;
+  type.reads = {"Direction", "Plate Rate", "Slip Rate"};
+  return type;
+}
+
+ConditionType typeOfContinuations()
+{
+  ConditionType type;
+  type.name = prescribed_slip_rate;
+  type.meaning =
+    "the boundary continues the fault and slips at that rate; where no boundary is a fault of "
+    "another Type, it is a fault itself, inside the mesh.";
+  type.place = ConditionPlace::continuation;
+  type.decides_on = DecidesOn::traction;
+  type.makers = {prescribeSlipRate<2>, prescribeSlipRate<3>};
+  type.reads = {"Direction", "Slip Rate"};
+  return type;
+}
+
+// The registered type under its name. Its entries are known only when all libraries are loaded.
+ConditionType typeOnBoundary(std::string const& name)
+{
+  auto type = BoundaryKindRegistry::instance().at(name);
+  type.name = name;
+  if (type.declare) {
+    Declare own;
+    type.declare(own);
+    for (auto const& entry : *own.list()) {
+      type.reads.push_back(entry.first);
+    }
+  }
+  if (type.reads_direction) {
+    type.reads.emplace_back("Direction");
+  }
+  return type;
 }
 
 // A type for each kind of fault, then the types for other boundaries.
@@ -139,30 +169,16 @@ std::vector<ConditionType> makeTypes()
 {
   std::vector<ConditionType> types;
   for (auto const& name : faultKinds()) {
-    auto const& kind = FaultKindRegistry::instance().at(name);
-    types.push_back({name,
-                     kind.meaning,
-                     {"Direction", "Plate Rate", "Slip Rate"},
-                     ConditionPlace::fault,
-                     DecidesOn::traction,
-                     {fault<2>, fault<3>},
-                     kind.other_side});
+    types.push_back(faultType(name, FaultKindRegistry::instance().at(name)));
   }
-  types.push_back(
-    {prescribed_slip_rate,
-     "the boundary continues the fault and slips at that rate; where no boundary is a fault of "
-     "another Type, it is a fault itself, inside the mesh.",
-     {"Direction", "Slip Rate"},
-     ConditionPlace::continuation,
-     DecidesOn::traction,
-     {prescribeSlipRate<2>, prescribeSlipRate<3>}});
+  types.push_back(typeOfContinuations());
   for (auto const& name : BoundaryKindRegistry::instance().names()) {
     ASPERITY_REQUIRE(
       std::none_of(types.begin(), types.end(), [&](auto const& type) { return type.name == name; }),
       "The boundary condition '" << name
                                  << "' of a plugin has the name of another Type. "
                                     "Register it under a name of its own.");
-    types.push_back(typeOf(name, BoundaryKindRegistry::instance().at(name)));
+    types.push_back(typeOnBoundary(name));
   }
   return types;
 }

@@ -42,17 +42,22 @@ template <int Dim>
 using ConditionMaker =
   std::function<void(BoundaryCondition const&, ConditionContext const&, BoundaryConditions<Dim>&)>;
 
-// A value of the entry `Type` of a boundary condition.
+// A value of the entry `Type` of a boundary condition. BoundaryKindOf makes one of a struct that
+// describes a condition beside faults; ConditionTypes.cpp makes those of faults.
 struct ConditionType
 {
+  static constexpr char const* registered_as = "boundary condition";
+
   std::string name;
-  std::string meaning;            // for the list of parameters
-  std::vector<std::string> reads; // entries other than `Boundary` and `Type`
-  ConditionPlace place;
-  DecidesOn decides_on;
+  std::string meaning; // a sentence for the list of parameters
+  ConditionPlace place = ConditionPlace::elsewhere;
+  DecidesOn decides_on = DecidesOn::traction;
+  bool is_open = false;                  // the body moves freely there, but for a load
+  bool reads_direction = false;          // the entry `Direction`, which several types share
+  std::function<void(Declare&)> declare; // its own entries; empty if it has none
   std::tuple<ConditionMaker<2>, ConditionMaker<3>> makers;
   fem::OtherSide other_side = {}; // of a fault
-  bool is_open = false;           // the body moves freely there, but for a load
+  std::vector<std::string> reads; // entries other than `Boundary` and `Type`
 
   bool isFault() const { return place == ConditionPlace::fault; }
   bool isContinuation() const { return place == ConditionPlace::continuation; }
@@ -69,7 +74,7 @@ ConditionType const& continuationType();
 // Adds the condition on the velocity of a fault, or of its continuation, that the entries
 // `Slip Rate` and `Direction` describe; `result` has the faults.
 template <int Dim>
-void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& setting,
+void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& context,
                        BoundaryConditions<Dim>& result);
 
 // One completed sublist of the deck's list `Boundary Conditions`.

@@ -16,9 +16,9 @@ namespace asperity::scenario
 {
 namespace
 {
-std::vector<double> slipDirection(ParameterList const& friction)
+std::vector<double> const& slipDirection(FrictionSettings const& settings)
 {
-  auto const given = FrictionSettings::from(friction).slip_direction;
+  auto const& given = settings.slip_direction;
   ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
                    joinPath(friction_path, "Slip Direction")
                      << " needs three numbers, not all zero: where the shear traction points.");
@@ -26,8 +26,9 @@ std::vector<double> slipDirection(ParameterList const& friction)
 }
 } // namespace
 
-ShearTraction::ShearTraction(ParameterList const& friction, FieldNodes const& nodes,
-                             fem::FaultSurface const& surface, fem::NodalFrames const& frames)
+ShearTraction::ShearTraction(FrictionSettings const& settings, ParameterList const& friction,
+                             FieldNodes const& nodes, fem::FaultSurface const& surface,
+                             fem::NodalFrames const& frames)
     : size_(Field(friction, "Shear Traction", friction_path, nodes.region_names), nodes)
 {
   if (nodes.dimension == 2) {
@@ -39,7 +40,7 @@ ShearTraction::ShearTraction(ParameterList const& friction, FieldNodes const& no
     direction_.assign(static_cast<std::size_t>(surface.numNodes()) * surface.numTangents(), 0.);
     return;
   }
-  auto const towards = slipDirection(friction);
+  auto const towards = slipDirection(settings);
   for (auto const& node : surface) {
     auto const projected =
       directionAlongFault(towards, frames, node, joinPath(friction_path, "Slip Direction"));

@@ -7,6 +7,7 @@
 #include "fem/constraints/NodalFrames.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 
 namespace asperity::scenario
 {
@@ -14,9 +15,10 @@ namespace asperity::scenario
 class ShearTraction
 {
 public:
-  // nodes: those of the surface.
-  ShearTraction(ParameterList const& friction, FieldNodes const& nodes,
-                fem::FaultSurface const& surface, fem::NodalFrames const& frames);
+  // friction: the deck's list, of which `settings` has the settings. nodes: those of the surface.
+  ShearTraction(FrictionSettings const& settings, ParameterList const& friction,
+                FieldNodes const& nodes, fem::FaultSurface const& surface,
+                fem::NodalFrames const& frames);
 
   bool dependsOnTime() const { return size_.dependsOnTime(); }
   // The traction [Pa] at the time t [s] in components along the fault's tangents, (num_nodes, T).

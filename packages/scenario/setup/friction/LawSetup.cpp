@@ -36,16 +36,6 @@ Entries<LawChoice> lawEntries(ParameterList& list)
   return entries;
 }
 
-friction::FrictionLaw const& chosenFrictionLaw(ParameterList const& list)
-{
-  return friction::frictionLaws().at(LawChoice::from(list).friction);
-}
-
-friction::StateLaw const& chosenStateLaw(ParameterList const& list)
-{
-  return friction::stateLaws().at(LawChoice::from(list).state);
-}
-
 // (num_nodes * num_parameters): the values of one node side by side.
 std::vector<double> valuesByNode(ParameterTable const& table, ParameterList const& list,
                                  FieldNodes const& nodes)
@@ -147,14 +137,23 @@ bool LawChoice::hasFrictionLaw() const { return friction != asperity::friction::
 
 bool LawChoice::hasState() const
 {
-  return std::string(asperity::friction::frictionLaws().at(friction).state_variable) !=
-         asperity::friction::no_state;
+  return std::string(frictionLaw().state_variable) != asperity::friction::no_state;
 }
 
-void requireSameState(ParameterList const& list)
+asperity::friction::FrictionLaw const& LawChoice::frictionLaw() const
 {
-  const std::string needed = chosenFrictionLaw(list).state_variable;
-  const std::string evolves = chosenStateLaw(list).state_variable;
+  return asperity::friction::frictionLaws().at(friction);
+}
+
+asperity::friction::StateLaw const& LawChoice::stateLaw() const
+{
+  return asperity::friction::stateLaws().at(state);
+}
+
+void requireSameState(LawChoice const& chosen)
+{
+  const std::string needed = chosen.frictionLaw().state_variable;
+  const std::string evolves = chosen.stateLaw().state_variable;
   if (needed == evolves) {
     return;
   }
@@ -165,79 +164,83 @@ void requireSameState(ParameterList const& list)
       others += (others.empty() ? "" : ", ") + name;
     }
   }
-  throw InputError(joinPath(friction_path, state_choice) + " = " + LawChoice::from(list).state +
-                   " evolves the " + evolves + ", but " + joinPath(friction_path, friction_choice) +
-                   " = " + LawChoice::from(list).friction + " depends on the " + needed +
+  throw InputError(joinPath(friction_path, state_choice) + " = " + chosen.state + " evolves the " +
+                   evolves + ", but " + joinPath(friction_path, friction_choice) + " = " +
+                   chosen.friction + " depends on the " + needed +
                    ". State laws for it: " + others + ".");
 }
 
-void requireState(ParameterList const& list, std::string const& needed, std::string const& what)
+void requireState(LawChoice const& laws, std::string const& needed, std::string const& what)
 {
-  ASPERITY_REQUIRE(needed == chosenFrictionLaw(list).state_variable,
+  ASPERITY_REQUIRE(needed == laws.frictionLaw().state_variable,
                    what << " changes the " << needed << ", but "
-                        << joinPath(friction_path, friction_choice) << " = "
-                        << LawChoice::from(list).friction << " depends on the "
-                        << chosenFrictionLaw(list).state_variable << ".");
+                        << joinPath(friction_path, friction_choice) << " = " << laws.friction
+                        << " depends on the " << laws.frictionLaw().state_variable << ".");
 }
 
-friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes)
+friction::ParameterView frictionLawValues(LawChoice const& laws, ParameterList const& list,
+                                          FieldNodes const& nodes)
 {
-  return valuesOnDevice(chosenFrictionLaw(list).parameters, list, nodes);
+  return valuesOnDevice(laws.frictionLaw().parameters, list, nodes);
 }
 
-friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes)
+friction::ParameterView stateLawValues(LawChoice const& laws, ParameterList const& list,
+                                       FieldNodes const& nodes)
 {
-  return valuesOnDevice(chosenStateLaw(list).parameters, list, nodes);
+  return valuesOnDevice(laws.stateLaw().parameters, list, nodes);
 }
 
-friction::TableView stateTable(ParameterList const& list)
+friction::TableView stateTable(LawChoice const& laws, ParameterList const& list)
 {
-  return chosenStateLaw(list).has_table ? steadyFriction(list) : friction::TableView();
+  return laws.stateLaw().has_table ? steadyFriction(list) : friction::TableView();
 }
 
-std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,
-                                                                FieldNodes const& nodes)
+std::optional<std::vector<friction::Sensitivity>>
+sensitivities(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes)
 {
-  auto const& law = chosenFrictionLaw(list);
+  auto const& law = laws.frictionLaw();
   return propertyAtNodes(law.sensitivity, law.parameters, list, nodes);
 }
 
-std::optional<std::vector<double>> slipDistances(ParameterList const& list, FieldNodes const& nodes)
+std::optional<std::vector<double>> slipDistances(LawChoice const& laws, ParameterList const& list,
+                                                 FieldNodes const& nodes)
 {
-  auto const& law = chosenStateLaw(list);
+  auto const& law = laws.stateLaw();
   return propertyAtNodes(law.slip_distance, law.parameters, list, nodes);
 }
 
-std::optional<std::vector<double>> referenceFriction(ParameterList const& list,
-                                                     FieldNodes const& nodes)
+std::optional<std::vector<double>>
+referenceFriction(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes)
 {
-  auto const& law = chosenFrictionLaw(list);
+  auto const& law = laws.frictionLaw();
   return propertyAtNodes(law.reference_friction, law.parameters, list, nodes);
 }
 
-std::optional<std::vector<double>> strengthDrops(ParameterList const& list, FieldNodes const& nodes)
+std::optional<std::vector<double>> strengthDrops(LawChoice const& laws, ParameterList const& list,
+                                                 FieldNodes const& nodes)
 {
-  auto const& law = chosenFrictionLaw(list);
+  auto const& law = laws.frictionLaw();
   return propertyAtNodes(law.strength_drop, law.parameters, list, nodes);
 }
 
-std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes)
+std::optional<std::vector<double>> thetaScales(LawChoice const& laws, ParameterList const& list,
+                                               FieldNodes const& nodes)
 {
-  auto const& law = chosenStateLaw(list);
+  auto const& law = laws.stateLaw();
   return propertyAtNodes(law.theta_scale, law.parameters, list, nodes);
 }
 
-std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes const& nodes)
+std::vector<double> stressSensitivities(LawChoice const& laws, ParameterList const& list,
+                                        FieldNodes const& nodes)
 {
-  auto const& law = chosenStateLaw(list);
+  auto const& law = laws.stateLaw();
   auto const c = propertyAtNodes(law.stress_sensitivity, law.parameters, list, nodes);
   if (!c || std::all_of(c->begin(), c->end(), [](double value) { return value == 0; })) {
     return {};
   }
-  auto const of_friction = sensitivities(list, nodes);
+  auto const of_friction = sensitivities(laws, list, nodes);
   ASPERITY_REQUIRE(of_friction, joinPath(friction_path, "c")
-                                  << " is given, but the friction law '"
-                                  << LawChoice::from(list).friction
+                                  << " is given, but the friction law '" << laws.friction
                                   << "' has no b, by which the term of Linker and Dieterich "
                                      "is divided. Remove c, or choose another law.");
   std::vector<double> result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "friction/LawProperties.hpp"
+#include "friction/Registry.hpp"
 #include "friction/Table.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -28,31 +28,39 @@ struct LawChoice
 
   bool hasFrictionLaw() const; // the law is one of friction
   bool hasState() const;       // and depends on a state
+  asperity::friction::FrictionLaw const& frictionLaw() const;
+  asperity::friction::StateLaw const& stateLaw() const;
 };
 
 // Throws InputError if the friction law does not depend on the state of the state law, or not on
 // that which `what` needs.
-void requireSameState(ParameterList const& list);
-void requireState(ParameterList const& list, std::string const& needed, std::string const& what);
+void requireSameState(LawChoice const& laws);
+void requireState(LawChoice const& laws, std::string const& needed, std::string const& what);
 
-// Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
-friction::ParameterView frictionLawValues(ParameterList const& list, FieldNodes const& nodes);
-friction::ParameterView stateLawValues(ParameterList const& list, FieldNodes const& nodes);
-friction::TableView stateTable(ParameterList const& list); // empty if the state law has none
+// list: the deck's list `Friction`, here and below. Values of the chosen law's parameters at fault
+// nodes (num_parameters, num_nodes), on the device.
+friction::ParameterView frictionLawValues(LawChoice const& laws, ParameterList const& list,
+                                          FieldNodes const& nodes);
+friction::ParameterView stateLawValues(LawChoice const& laws, ParameterList const& list,
+                                       FieldNodes const& nodes);
+friction::TableView stateTable(LawChoice const& laws,
+                               ParameterList const& list); // empty if the state law has none
 
 // Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
 // not declare the property.
-std::optional<std::vector<friction::Sensitivity>> sensitivities(ParameterList const& list,
-                                                                FieldNodes const& nodes);
-std::optional<std::vector<double>> slipDistances(ParameterList const& list,
+std::optional<std::vector<friction::Sensitivity>>
+sensitivities(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes);
+std::optional<std::vector<double>> slipDistances(LawChoice const& laws, ParameterList const& list,
                                                  FieldNodes const& nodes);
-std::optional<std::vector<double>> referenceFriction(ParameterList const& list,
-                                                     FieldNodes const& nodes);
-std::optional<std::vector<double>> strengthDrops(ParameterList const& list,
+std::optional<std::vector<double>>
+referenceFriction(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes);
+std::optional<std::vector<double>> strengthDrops(LawChoice const& laws, ParameterList const& list,
                                                  FieldNodes const& nodes);
-std::optional<std::vector<double>> thetaScales(ParameterList const& list, FieldNodes const& nodes);
+std::optional<std::vector<double>> thetaScales(LawChoice const& laws, ParameterList const& list,
+                                               FieldNodes const& nodes);
 
 // c / b of Linker and Dieterich's term at the nodes [-]; empty if c is zero at all of them.
 // InputError where c > 0 and the friction law has no b, or b = 0.
-std::vector<double> stressSensitivities(ParameterList const& list, FieldNodes const& nodes);
+std::vector<double> stressSensitivities(LawChoice const& laws, ParameterList const& list,
+                                        FieldNodes const& nodes);
 } // namespace asperity::scenario

@@ -1,5 +1,6 @@
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
 
+#include "base/Errors.hpp"
 #include "mesh/generation/Bisection.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/generation/FlatLayers.hpp"
@@ -11,6 +12,7 @@
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -25,6 +27,8 @@ namespace
 using Ends = std::optional<std::vector<double>>;
 
 constexpr char const* refined_intervals = "Refined Intervals";
+constexpr char const* sizes_of_wedge =
+  "Length, Height, Seismogenic Zone Width, Cell Size, Growth Factor";
 
 struct Wedge : mesh::WedgeShape
 {
@@ -119,22 +123,6 @@ std::vector<Point<2>> intervals(Ends const& ends, std::string const& path, std::
     pairs.push_back({(*ends)[i], (*ends)[i + 1]});
   }
   return pairs;
-}
-
-// The limit of a mesh of the type, with the advice for a mesh that is too large.
-mesh::VertexLimit vertexLimit(std::string const& type, int most_vertices)
-{
-  const bool is_wedge = type == "Wedge" || type == "Deep Wedge";
-  std::string names = is_wedge ? "Length, Height, Seismogenic Zone Width, Cell Size, Growth Factor"
-                               : "Cell Size, Cells X, Cells Y";
-  names += type == "Deep Wedge"  ? ", Depth"
-           : type == "Rectangle" ? ", Width, Height"
-           : type == "Box"       ? ", Cells Z, Size"
-                                 : "";
-  return {static_cast<double>(most_vertices),
-          "Is one of the entries of " + joinPath(mesh_path, type) +
-            " missing, or not in m: " + names + "? A larger mesh is made where " +
-            joinPath(mesh_path, "Most Vertices") + " allows it."};
 }
 
 mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& limit)
@@ -322,25 +310,93 @@ GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& 
   return wedge;
 }
 
+// A type of mesh with what makes it. A row of generators() is all that a type needs: its dimension
+// is that of the list in which it stands.
+template <int Dim>
+struct Generator : GeneratedMesh
+{
+  std::function<GlobalMesh<Dim>(ParameterList const&, mesh::VertexLimit const&)> make;
+};
+
+template <int Dim>
+std::vector<Generator<Dim>> generators();
+
+template <>
+std::vector<Generator<2>> generators()
+{
+  Generator<2> wedge, rectangle;
+  wedge.name = "Wedge";
+  wedge.entries = wedgeEntries().list();
+  wedge.sizes = sizes_of_wedge;
+  wedge.is_wedge = true;
+  wedge.make = [](ParameterList const& list, mesh::VertexLimit const& limit) {
+    return mesh::wedgeMesh(wedgeShape(list, limit));
+  };
+  rectangle.name = "Rectangle";
+  rectangle.entries = rectangleEntries().list();
+  rectangle.sizes = "Cell Size, Cells X, Cells Y, Width, Height";
+  rectangle.lower_cells = "The first cells of a Rectangle give all its cells their proportions.";
+  rectangle.make = makeRectangle;
+  return {wedge, rectangle};
+}
+
+template <>
+std::vector<Generator<3>> generators()
+{
+  Generator<3> wedge, box;
+  wedge.name = "Deep Wedge";
+  wedge.entries = deepWedgeParameters();
+  wedge.sizes = std::string(sizes_of_wedge) + ", Depth";
+  wedge.is_wedge = true;
+  wedge.make = makeDeepWedge;
+  box.name = "Box";
+  box.entries = boxEntries().list();
+  box.sizes = "Cell Size, Cells X, Cells Y, Cells Z, Size";
+  box.lower_cells = "'Flat Cells at' makes them in a Box.";
+  box.make = makeBox;
+  return {wedge, box};
+}
+
+// The limit of a mesh of the type, with the advice for a mesh that is too large.
+mesh::VertexLimit vertexLimit(GeneratedMesh const& type, int most_vertices)
+{
+  return {static_cast<double>(most_vertices),
+          "Is one of the entries of " + joinPath(mesh_path, type.name) +
+            " missing, or not in m: " + type.sizes + "? A larger mesh is made where " +
+            joinPath(mesh_path, "Most Vertices") + " allows it."};
+}
 } // namespace
 
-std::vector<Declare::NamedList> generatedMeshParameters()
+std::vector<GeneratedMesh> generatedMeshes()
 {
-  return {{"Wedge", wedgeEntries().list()},
-          {"Rectangle", rectangleEntries().list()},
-          {"Deep Wedge", deepWedgeParameters()},
-          {"Box", boxEntries().list()}};
+  std::vector<GeneratedMesh> types;
+  const auto add = [&types](auto const& rows, int dimension) {
+    for (GeneratedMesh type : rows) {
+      type.dimension = dimension;
+      types.push_back(type);
+    }
+  };
+  add(generators<2>(), 2);
+  add(generators<3>(), 3);
+  return types;
+}
+
+std::optional<GeneratedMesh> generatedMesh(std::string const& type)
+{
+  auto const types = generatedMeshes();
+  auto const found = std::find_if(types.begin(), types.end(),
+                                  [&](GeneratedMesh const& each) { return each.name == type; });
+  return found == types.end() ? std::nullopt : std::optional<GeneratedMesh>(*found);
 }
 
 template <int Dim>
 GlobalMesh<Dim> generateMesh(ParameterList const& list, std::string const& type, int most_vertices)
 {
-  auto const limit = vertexLimit(type, most_vertices);
-  if constexpr (Dim == 2) {
-    return type == "Wedge" ? mesh::wedgeMesh(wedgeShape(list, limit)) : makeRectangle(list, limit);
-  } else {
-    return type == "Box" ? makeBox(list, limit) : makeDeepWedge(list, limit);
-  }
+  auto const rows = generators<Dim>();
+  auto const chosen =
+    std::find_if(rows.begin(), rows.end(), [&](auto const& row) { return row.name == type; });
+  ASPERITY_ASSERT(chosen != rows.end());
+  return chosen->make(list, vertexLimit(*chosen, most_vertices));
 }
 
 template GlobalMesh<2> generateMesh(ParameterList const&, std::string const&, int);

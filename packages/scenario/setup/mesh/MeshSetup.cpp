@@ -82,7 +82,10 @@ Entries<FileOfMesh> fileEntries()
 Entries<MeshSettings> meshEntries()
 {
   using S = MeshSettings;
-  auto types = generatedMeshParameters();
+  std::vector<Declare::NamedList> types;
+  for (auto const& type : generatedMeshes()) {
+    types.emplace_back(type.name, type.entries);
+  }
   types.emplace_back("File", fileEntries().list());
   Entries<S> entries;
   entries
@@ -165,7 +168,7 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   auto const where_boundaries = joinPath(mesh_path, "Boundaries");
   auto const faults = conditionsIn<Dim>(list, "Faults");
   auto const where_faults = joinPath(mesh_path, "Faults");
-  const bool is_file = settings.type == "File";
+  const bool is_file = !generatedMesh(settings.type);
   auto const file_name = is_file ? fileNameOf(list) : std::string();
   if (is_file &&
       withMeshFileErrors([&] { return mesh::isPartitioned(file_name, *communicator); })) {
@@ -207,11 +210,11 @@ RCP<const ParameterList> meshParameters() { return meshEntries().list(); }
 int meshDimension(ParameterList const& list, Communicator const& communicator)
 {
   auto const type = settingsOf(list).type;
-  if (type == "File") {
-    auto const name = fileNameOf(list);
-    return withMeshFileErrors([&] { return mesh::fileDimension(name, communicator); });
+  if (auto const generated = generatedMesh(type)) {
+    return generated->dimension;
   }
-  return type == "Box" || type == "Deep Wedge" ? 3 : 2;
+  auto const name = fileNameOf(list);
+  return withMeshFileErrors([&] { return mesh::fileDimension(name, communicator); });
 }
 
 template <int Dim>

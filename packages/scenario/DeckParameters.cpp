@@ -1,0 +1,56 @@
+#include "scenario/DeckParameters.hpp"
+
+#include "catalogue/stress/CoulombPlanes.hpp"
+#include "dynamics/coupling/CoupledStep.hpp"
+#include "io/OutputSet.hpp"
+#include "scenario/deck/Names.hpp"
+#include "scenario/problem/InitialState.hpp"
+#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/CheckpointSetup.hpp"
+#include "scenario/setup/SolverSetup.hpp"
+#include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
+
+namespace asperity::scenario
+{
+namespace
+{
+RCP<const ParameterList> outputParameters()
+{
+  auto list = rcp(new ParameterList(*io::OutputSet::validParameters()));
+  Declare declare(*list);
+  catalogue::declareCoulombPlanes(declare);
+  CheckpointIntervals::declare(*list);
+  return list;
+}
+} // namespace
+
+RCP<const ParameterList> deckParameters()
+{
+  auto const list =
+    Declare()
+      .openSublist(names_list, nameParameters(), meaningOfNames())
+      .sublist(
+        "Mesh", meshParameters(),
+        "This list says which region of space the body fills and how it is divided into cells.")
+      .sublist("Bulk", bulkParameters(),
+               "This list describes the material of the body and its gravity.")
+      .sublist("Friction", frictionParameters(),
+               "This list describes friction on the fault and the stress that the fault bears.")
+      .openSublist("Boundary Conditions", boundaryParameters(),
+                   "Each list in here, of any name, is one condition on one boundary.")
+      .sublist("Initial State", initialStateParameters(),
+               "This list describes the state in which the run starts.")
+      .sublist("Time Stepping", timeParameters(), meaningOfTime())
+      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
+               "This list controls the fixed-point iteration between rate and state within a step.")
+      .sublist("TNNMG", solverParameters(),
+               "This list controls TNNMG, the solver of the rate problems.")
+      .sublist("Output", outputParameters(), "This list selects what the run writes to files.")
+      .list();
+  list->setName("Asperity");
+  return list;
+}
+} // namespace asperity::scenario

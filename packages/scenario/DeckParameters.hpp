@@ -1,0 +1,9 @@
+#pragma once
+
+#include "parameters/Parameters.hpp"
+
+namespace asperity::scenario
+{
+// All parameters of a deck, including those of every registered plugin.
+RCP<const ParameterList> deckParameters();
+} // namespace asperity::scenario
