@@ -1,4 +1,4 @@
-# ASPERITY_KERNELS_ONLY: packages/friction and multigrid, the package that they include, and their
+# ASPERITY_KERNELS_ONLY: packages/friction and multigrid, the packages that they include, and their
 # tests, with Kokkos 3.4 or newer and Eigen. Neither Trilinos nor MPI is looked for, and nothing is
 # installed.
 set(ASPERITY_ENABLE_INSTALL OFF)
@@ -12,17 +12,15 @@ include(AsperityPrecompiled)
 include(AsperityInstall)
 include(AsperityTargets)
 
-asperity_add_package(portability LIBRARIES Asperity::Kokkos)
-asperity_add_package(friction PACKAGES portability LIBRARIES Asperity::Kokkos)
 find_package(Eigen3 REQUIRED NO_MODULE)
-asperity_add_package(multigrid PACKAGES portability LIBRARIES Asperity::Kokkos
-  PRIVATE_LIBRARIES Eigen3::Eigen)
+include(AsperityKernelPackages)
 
 if(ASPERITY_ENABLE_TESTS)
   enable_testing()
   find_package(GTest REQUIRED)
   include(AsperityTests)
-  foreach(folder unit/portability unit/friction unit/multigrid verification/friction_kernel)
-    add_subdirectory(tests/${folder})
+  foreach(folder IN LISTS asperity_kernel_packages)
+    add_subdirectory(tests/unit/${folder})
   endforeach()
+  add_subdirectory(tests/verification/friction_kernel)
 endif()

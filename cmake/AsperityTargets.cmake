@@ -16,7 +16,7 @@ function(asperity_add_package name)
   asperity_compile_options(${target})
   set_target_properties(${target} PROPERTIES DEFINE_SYMBOL "" EXPORT_NAME ${name}
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  if(NOT name MATCHES "^(portability|friction|multigrid)$") # built without Trilinos
+  if(NOT name IN_LIST asperity_kernel_packages)
     asperity_use_precompiled_headers(${target} libraries)
   endif()
   target_include_directories(${target} PUBLIC

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "portability/LawParameters.hpp"
+#include "registry/LawParameters.hpp"
 
 namespace asperity::friction
 {

@@ -4,7 +4,7 @@
 #include "friction/LawProperties.hpp"
 #include "friction/StateKernels.hpp"
 #include "friction/Table.hpp"
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 
 #include <functional>
 #include <memory>

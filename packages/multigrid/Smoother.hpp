@@ -1,7 +1,7 @@
 #pragma once
 
 #include "multigrid/Hierarchy.hpp"
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

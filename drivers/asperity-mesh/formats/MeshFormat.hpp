@@ -4,7 +4,7 @@
 #include "../assembly/GroupNames.hpp"
 
 #include "mesh/GlobalMesh.hpp"
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 
 #include <map>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "fem/bulk/Material.hpp"
 #include "fem/bulk/ReturnMapping.hpp"
-#include "portability/LawParameters.hpp"
-#include "portability/Registry.hpp"
+#include "registry/LawParameters.hpp"
+#include "registry/Registry.hpp"
 
 #include <functional>
 #include <memory>
@@ -11,7 +11,7 @@
 #include <vector>
 
 // All laws of bulk by name. A law is a struct with a name, the values of its parameters at the
-// centroid of a cell (portability/LawParameters.hpp), and functions of these:
+// centroid of a cell (registry/LawParameters.hpp), and functions of these:
 //
 //   struct KelvinVoigt
 //   {

@@ -4,8 +4,8 @@
 #include "fem/bulk/History.hpp"
 #include "fem/bulk/InelasticStrain.hpp"
 #include "fem/bulk/TensorKernels.hpp"
-#include "portability/LawParameters.hpp"
 #include "portability/Renamed.hpp"
+#include "registry/LawParameters.hpp"
 
 #include <cstddef>
 #include <type_traits>

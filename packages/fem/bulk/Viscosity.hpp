@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/bulk/Material.hpp"
-#include "portability/LawParameters.hpp"
+#include "registry/LawParameters.hpp"
 
 namespace asperity::fem
 {

@@ -2,7 +2,7 @@
 
 #include "fem/bulk/ReturnMapping.hpp"
 #include "fem/bulk/Viscosity.hpp"
-#include "portability/LawParameters.hpp"
+#include "registry/LawParameters.hpp"
 
 namespace asperity::fem
 {

@@ -2,8 +2,8 @@
 
 #include "base/Types.hpp"
 #include "parameters/Entries.hpp"
-#include "portability/Parameter.hpp"
-#include "portability/Registry.hpp"
+#include "registry/Parameter.hpp"
+#include "registry/Registry.hpp"
 
 #include <string>
 #include <vector>

@@ -10,10 +10,14 @@ QUOTED = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
 _REGISTERS = re.compile(r"^ASPERITY_REGISTER\w*\(", re.MULTILINE)
 _ANGLED = re.compile(r"^\s*#\s*include\s+<([^>]+)>", re.MULTILINE)
 
+FILES = ("cmake/AsperityKernelPackages.cmake", "CMakeLists.txt")
+
 # What the design promises whatever the lines say: package -> packages it never includes.
 FORBIDDEN = {
-    "portability": {"friction", "multigrid", "base", "hdf5", "parameters", "mesh", "fem", "tnnmg",
-                    "dynamics", "io", "catalogue", "scenario"},
+    "portability": {"registry", "friction", "multigrid", "base", "hdf5", "parameters", "mesh", "fem",
+                    "tnnmg", "dynamics", "io", "catalogue", "scenario"},
+    "registry": {"friction", "multigrid", "base", "hdf5", "parameters", "mesh", "fem", "tnnmg",
+                 "dynamics", "io", "catalogue", "scenario"},
     "multigrid": {"friction", "base", "hdf5", "parameters", "mesh", "fem", "tnnmg", "dynamics",
                   "io", "catalogue", "scenario"},
     "friction": {"base", "hdf5", "parameters", "mesh", "fem", "tnnmg", "dynamics", "io",
@@ -28,9 +32,10 @@ FORBIDDEN = {
 
 
 def declared_packages(root):
-    """{package: the packages it may include}, in the order of CMakeLists.txt."""
+    """{package: the packages it may include}, in the order in which CMake reads the lines."""
     packages = {}
-    for name, arguments in _LINE.findall((root / "CMakeLists.txt").read_text()):
+    lines = "".join((root / name).read_text() for name in FILES if (root / name).is_file())
+    for name, arguments in _LINE.findall(lines):
         listed = re.search(r"\bPACKAGES\b(.*?)(\b(?:PRIVATE_)?LIBRARIES\b|$)", arguments, re.DOTALL)
         packages[name] = set(listed.group(1).split()) if listed else set()
     return packages
@@ -84,7 +89,7 @@ def _unused(root, packages):
             yield f"CMakeLists.txt:1: {name} names {other}, but includes nothing of it"
 
 
-ON_KOKKOS_ALONE = {"portability", "friction", "multigrid"}
+ON_KOKKOS_ALONE = {"portability", "registry", "friction", "multigrid"}
 
 
 # Headers of the C++ standard library and of Eigen have no suffix; that of SSE is the compiler's.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <type_traits>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/OtherSide.hpp"
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 
 #include <string>
 #include <vector>

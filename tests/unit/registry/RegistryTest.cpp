@@ -1,4 +1,4 @@
-#include "portability/Registry.hpp"
+#include "registry/Registry.hpp"
 
 #include <gtest/gtest.h>
 

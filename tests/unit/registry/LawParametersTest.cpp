@@ -1,4 +1,4 @@
-#include "portability/LawParameters.hpp"
+#include "registry/LawParameters.hpp"
 
 #include <gtest/gtest.h>
 

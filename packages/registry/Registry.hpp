@@ -9,6 +9,14 @@
 
 namespace asperity
 {
+namespace detail
+{
+// What at() throws for a name that is not among the names: a kind, such as "output".
+std::out_of_range unknownName(std::string const& kind, std::string const& name,
+                              std::vector<std::string> const& names);
+std::logic_error repeatedName(std::string const& kind, std::string const& name);
+} // namespace detail
+
 // What is registered of one kind, a class that says in `registered_as` what to call it in messages:
 //
 //   using OutputRegistry = Registry<OutputKind>;            // OutputKind::registered_as = "output"
@@ -57,12 +65,7 @@ public:
     if (found != by_name_.end()) {
       return *found->second;
     }
-    std::string known;
-    for (auto const& item : by_name_) {
-      known += (known.empty() ? "'" : ", '") + item.first + "'";
-    }
-    throw std::out_of_range("'" + name + "' is not a known " + Kind::registered_as +
-                            ". Choose one of " + known + ".");
+    throw detail::unknownName(Kind::registered_as, name, names());
   }
 
   // "output 'Events'" for each registration; what is registered twice occurs twice.
@@ -87,7 +90,7 @@ private:
   void requireDistinctNames() const
   {
     if (!repeated_.empty()) {
-      throw std::logic_error("The " + described(repeated_.front()) + " is registered twice.");
+      throw detail::repeatedName(Kind::registered_as, repeated_.front());
     }
   }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "portability/Parameter.hpp"
 #include "portability/Spaces.hpp"
+#include "registry/Parameter.hpp"
 
 #include <Kokkos_Core.hpp>
 
