@@ -4,8 +4,8 @@
 
 namespace asperity::geometry
 {
-// The commands of asperity-mesh, which the table in Commands.cpp describes. InputError if an argument, or a file
-// that it names, is wrong.
+// The commands of asperity-mesh, which the table in Commands.cpp describes. InputError if an
+// argument, or a file that it names, is wrong.
 void build(Arguments& arguments);
 void convert(Arguments& arguments);
 void makeWedge(Arguments& arguments);

@@ -1,6 +1,6 @@
 // A format of meshes for asperity-mesh: those of the program Triangle, in the plane. NAME.ele has
-// the triangles and perhaps the number of their region, NAME.node the vertices, and NAME.edge, if it
-// is there, edges with the number of their boundary (0: none). What is needed is in
+// the triangles and perhaps the number of their region, NAME.node the vertices, and NAME.edge, if
+// it is there, edges with the number of their boundary (0: none). What is needed is in
 // formats/MeshFormat.hpp.
 #include "assembly/GroupNaming.hpp"
 #include "formats/MeshFormat.hpp"

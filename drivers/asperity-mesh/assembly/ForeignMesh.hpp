@@ -64,9 +64,9 @@ struct ForeignMesh
 // The mesh in m, which mesh::checkMesh accepts: of the vertices those that cells have, in their
 // order; cells and facets are oriented. A facet that a group has twice, as from both sides of a
 // fault, is taken once. A facet inside the body that two groups have stays in the smaller one, and
-// a fault of which more than two facets meet is divided into sheets (FaultSheets.hpp); both is told.
-// InputError, which starts with `where`, if cells are no linear simplices and are not to be cut, a
-// group to be left out is not there, or the mesh is wrong.
+// a fault of which more than two facets meet is divided into sheets (FaultSheets.hpp); both is
+// told. InputError, which starts with `where`, if cells are no linear simplices and are not to be
+// cut, a group to be left out is not there, or the mesh is wrong.
 template <int Dim>
 GlobalMesh<Dim> assemble(ForeignMesh const& mesh, AssemblyOptions const& options,
                          std::string const& where);

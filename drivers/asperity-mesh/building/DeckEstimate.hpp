@@ -7,9 +7,10 @@
 
 namespace asperity::geometry
 {
-// What the deck of the settings, with its overlays, is to expect of the mesh: unknowns, memory and the time of a step, and
-// how the size of cells compares with the cohesive zone, by the formulas that `asperity` uses.
-// Friction is evaluated on the faults as they are in the body. Warnings go to stderr.
+// What the deck of the settings, with its overlays, is to expect of the mesh: unknowns, memory and
+// the time of a step, and how the size of cells compares with the cohesive zone, by the formulas
+// that `asperity` uses. Friction is evaluated on the faults as they are in the body. Warnings go to
+// stderr.
 //
 // InputError if the deck is wrong, or names a boundary that the mesh will not have.
 void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize const& size,

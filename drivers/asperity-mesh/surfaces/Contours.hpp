@@ -1,7 +1,7 @@
 #pragma once
 
-#include "surfaces/Lofting.hpp"
 #include "Warnings.hpp"
+#include "surfaces/Lofting.hpp"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "Warnings.hpp"
 #include "TriangleSurface.hpp"
+#include "Warnings.hpp"
 
 #include <string>
 

@@ -3,7 +3,8 @@
 A mesh is a dictionary: points (n, 3); blocks {name: (kind, cells from 0)}, of kind "tetra",
 "hexahedron", "wedge", "pyramid", "triangle", "quad" or "line"; sides {name: [(cell from
 0, side from 1)]}, with
-the numbers of sides of the format; nodes {name: [node from 0]}; ghosts: for each cell of VTU, whether it is a copy.
+the numbers of sides of the format; nodes {name: [node from 0]}; ghosts: for each
+cell of VTU, whether it is a copy.
 
     python3 other_formats.py FOLDER     writes two tetrahedra and their fault in each format
 """
@@ -223,7 +224,8 @@ def vtu(mesh, form="ascii", header="UInt32", compressed=False, order="LittleEndi
             + "</PointData>\n<CellData>\n"
             + array("quality", numpy.full(len(cells), 0.5), "Float64")
             + array("group", [number for _, _, number in cells], "Int32")
-            + (array("vtkGhostType", mesh["ghosts"], "UInt8") if any(mesh.get("ghosts", [])) else "")
+            + (array("vtkGhostType", mesh["ghosts"], "UInt8") if any(mesh.get("ghosts", []))
+               else "")
             + "</CellData>\n<Points>\n" + array("Points", mesh["points"], "Float64", 3)
             + "</Points>\n<Cells>\n"
             + array("connectivity", [n for _, cell, _ in cells for n in cell], "Int64")

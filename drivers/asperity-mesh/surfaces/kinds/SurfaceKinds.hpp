@@ -1,7 +1,7 @@
 #pragma once
 
-#include "surfaces/Projection.hpp"
 #include "Warnings.hpp"
+#include "surfaces/Projection.hpp"
 #include "surfaces/TriangleSurface.hpp"
 
 #include "parameters/Parameters.hpp"
