@@ -82,7 +82,8 @@ std::string partAt(OutputDomain const& curve, double position);
 
 // The domain `name` made of the mesh's boundary `boundary` (num_owned may be 0 on a rank).
 //
-// In two dimensions positions are the distance along the boundary from its start. Each further piece of a boundary continues where the piece before it ended.
+// In two dimensions positions are the distance along the boundary from its start. Each further
+// piece of a boundary continues where the piece before it ended.
 // Throws InputError if the mesh has no boundary of that name, or if the boundary has no facets on
 // any rank. Collective.
 template <int Dim>

@@ -84,7 +84,8 @@ def is_logarithm(values: np.ndarray) -> Fault:
 
 
 def is_positive(values: np.ndarray) -> Fault:
-    """Where the largest number is more than rounding and small waves: BP5-FD begins with -3e-9 m."""
+    """Where the largest number is more than rounding and small waves, as the -3e-9 m with which
+    BP5-FD begins."""
     row = int(np.argmax(np.abs(values)))
     return None if values[row] >= -1e-6 else (row, f"{values[row]:g}, the largest of this file, "
                                                    "has the wrong sign; it must be positive")

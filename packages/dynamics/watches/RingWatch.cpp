@@ -8,9 +8,9 @@ namespace asperity::dynamics
 {
 namespace
 {
-// The factor by which the rate has to change. With this factor and 10 steps, the two kinds of run are
-// far apart: decks without ringing turn at most 2 times in a row, spring_slider.xml with Newmark and
-// tolerances from 1e-2 to 1e-5 more than 1000 times.
+// The factor by which the rate has to change. With this factor and 10 steps, the two kinds of run
+// are far apart: decks without ringing turn at most 2 times in a row, spring_slider.xml with
+// Newmark and tolerances from 1e-2 to 1e-5 more than 1000 times.
 constexpr double turn = 1.5;
 } // namespace
 

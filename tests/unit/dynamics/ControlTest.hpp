@@ -188,8 +188,8 @@ protected:
     }
   }
 
-  // What a control remembers while it cuts steps short is all that the steps to come depend on. Both
-  // meet near_instant.
+  // What a control remembers while it cuts steps short is all that the steps to come depend on.
+  // Both meet near_instant.
   void expectContinuationBeforeAnInstant(StepControl& control, StepControl& continued)
   {
     SolveCount count;

@@ -95,8 +95,9 @@ TEST_P(CoupledStepSchemes, AgreeWithNewtonOnDenseMatrices)
 {
   for (int components : {1, 2}) {
     for (auto correction : {Correction::direct, Correction::multigrid}) {
-      SCOPED_TRACE(::testing::Message() << components << " components, "
-                                        << (correction == Correction::direct ? "direct" : "multigrid"));
+      SCOPED_TRACE(::testing::Message()
+                   << components << " components, "
+                   << (correction == Correction::direct ? "direct" : "multigrid"));
       compare(slidingBlock(components), correction);
     }
   }
