@@ -24,8 +24,8 @@ RECEIVERS = {"dp000": 0.0, "dp025": 2.5e3, "dp050": 5e3, "dp075": 7.5e3, "dp100"
 
 
 def depths(nodes: int) -> np.ndarray:
-    """(nodes) [m] from the lower end, where positions begin."""
-    return np.linspace(CONTINUED, 0.0, nodes)
+    """(nodes) [m] from the upper end, where positions begin."""
+    return np.linspace(0.0, CONTINUED, nodes)
 
 
 def row_times() -> np.ndarray:
@@ -120,7 +120,7 @@ def write_ruptures(path: Path, depth: np.ndarray) -> None:
         file["onset"] = ONSETS
         file["rupture_time"] = ONSETS[:, None] + arrivals(depth)
         file["geometry/coordinates"] = np.stack((0.0 * depth, -depth), axis=1)
-        file["geometry/positions"] = CONTINUED - depth
+        file["geometry/positions"] = depth
 
 
 def write_totals(path: Path, times: np.ndarray) -> None:

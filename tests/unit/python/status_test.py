@@ -178,39 +178,6 @@ class Journal(Folder):
                    {"event": "begin"}, self.end("finished", 0, wall_time=5045.0))
         self.assertEqual(self.facts()["wall"], 5045.0)
 
-    def test_a_restart_takes_back_what_came_after_its_checkpoint(self):
-        self.write({"event": "begin"},
-                   {"event": "warning", "topic": "early", "text": "early.", "step": 5},
-                   {"event": "warning", "topic": "late", "text": "late.", "step": 9},
-                   {"event": "begin"}, {"event": "restart", "step": 7})
-        self.assertEqual([each["topic"] for each in self.facts()["warnings"]], ["early"])
-
-    def test_warnings_of_a_run_without_run_jsonl(self):
-        synthetic_log.write(self.folder, 2 * STEPS, 5, "WARNING: too few cells.\n")
-        (self.folder / "run.jsonl").unlink()
-        self.assertIn("WARNING: too few cells.", self.status()[1])
-
-    def test_a_line_without_its_end_is_left_out(self):
-        self.write({"event": "begin"}, self.end("finished", 0))
-        with open(self.folder / "run.jsonl", "a") as journal:
-            journal.write('{"event": "warn')
-        self.assertEqual(self.status()[0], 0)
-
-    def test_wall_time_counts_to_the_end_of_each_process(self):
-        """Also where the last line of progress was long before it."""
-        self.write({"event": "begin"}, self.end("stopped", 4, wall_time=5000.0),
-                   {"event": "begin"}, self.end("finished", 0, wall_time=5045.0))
-        self.assertEqual(self.facts()["wall"], 5045.0)
-
-    def test_earlier_versions_say_the_wall_time_of_each_process(self):
-        ends = [dict(self.end("stopped", 4), wall=wall) for wall in (5000.0, 45.0)]
-        for end in ends:
-            del end["wall_time"]
-        self.write({"event": "begin"}, ends[0], {"event": "begin"}, ends[1])
-        facts = self.facts()
-        self.assertEqual((facts["wall"], facts["step"]), (5045.0, 2 * STEPS + 30))
-        self.assertEqual((facts["speed"], facts["seconds_left"]), (None, None))
-
     def test_a_restart_takes_back_the_progress_after_its_checkpoint(self):
         progress = {"event": "progress", "peak_slip_rate": 1e-9}
         self.write({"event": "begin"}, {**progress, "step": 60, "time": 1.0, "wall_time": 100.0},
