@@ -28,8 +28,8 @@ def v_cycles(folder):
     return sum(row["v_cycles"] for row in asperity_run.table(folder / "steps.csv"))
 
 
-def energy_rises(folder):
-    return sum(row["energy_rises"] for row in asperity_run.table(folder / "steps.csv"))
+def energy_increases(folder):
+    return sum(row["energy_increases"] for row in asperity_run.table(folder / "steps.csv"))
 
 
 def events(folder):
@@ -65,7 +65,7 @@ class Backends(unittest.TestCase):
             for ranks in (1, 2):
                 with self.subTest(smoother=smoother, ranks=ranks):
                     found = self.check(smoother.split()[0], {"Smoother": smoother}, 2, ranks)
-                    self.assertEqual(energy_rises(found), 0)
+                    self.assertEqual(energy_increases(found), 0)
                     defaults = run("defaults", {}, ranks)
                     for event, other in zip(events(found), events(defaults), strict=True):
                         self.assertAlmostEqual(event["onset"], other["onset"], delta=1e-9)

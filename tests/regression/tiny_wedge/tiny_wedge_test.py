@@ -53,7 +53,7 @@ class TinyWedge(unittest.TestCase):
                                   numpy.reshape(answer[name], (-1, 2)), f"{name} {step}")
         rows = asperity_run.table(folder / "steps.csv")
         self.assertEqual(len(rows), 10)
-        self.assertEqual(sum(row["energy_rises"] for row in rows), 0)
+        self.assertEqual(sum(row["energy_increases"] for row in rows), 0)
 
     def test_the_mesh_lies_beside_the_deck(self):
         """Then in the working directory; a name on the command line counts from there alone."""
