@@ -19,7 +19,7 @@ class PrescribedSteps(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.reference = cls.run_rupture("Direct", 1)
-        cls.multigrid = cls.run_rupture("MueLu", 1)
+        cls.multigrid = cls.run_rupture("Multigrid", 1)
 
     @staticmethod
     def run_rupture(correction, ranks):
@@ -45,7 +45,7 @@ class PrescribedSteps(unittest.TestCase):
         self.check(3)
 
     def check(self, ranks):
-        folder = self.run_rupture("MueLu", ranks)
+        folder = self.run_rupture("Multigrid", ranks)
         self.assert_same_fields(folder)
         assert_same_effort(self, self.multigrid, folder)
 

@@ -86,10 +86,10 @@ class TinyWedge(unittest.TestCase):
         self.check("Direct", 1)
 
     def test_multigrid(self):
-        self.check("MueLu", 1)
+        self.check("Multigrid", 1)
 
     def test_multigrid_on_two_ranks(self):
-        self.check("MueLu", 2)
+        self.check("Multigrid", 2)
 
 
 if __name__ == "__main__":
