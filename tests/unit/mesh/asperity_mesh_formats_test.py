@@ -79,7 +79,7 @@ def half_bricks(overlap=False):
                     if is_inside or (height == 1 and name in groups)
                     or (overlap and own == "upper" and kind == "hexahedron")]
             blocks[name] = (kind, kept)
-            ghosts += [overlap and own == "upper" and name == "lower"] * len(kept)
+            ghosts += [int(overlap and own == "upper" and name == "lower")] * len(kept)
         used = sorted({i for _, cells in blocks.values() for cell in cells for i in cell})
         number = {old: new for new, old in enumerate(used)}
         halves.append({"points": [whole["points"][i] for i in used], "sides": {}, "nodes": {},
@@ -325,6 +325,7 @@ class Vtk(Case):
         pathlib.Path("brick.pvtu").write_text(PARALLEL)
         options = ("--simplices", "--array", "group")
         pathlib.Path("lower.vtu").write_bytes(other_formats.vtu(lower))
+        pathlib.Path("upper.vtu").unlink(missing_ok=True)
         self.assert_refused(["convert", "brick.pvtu", "bad.h5", *options], "upper.vtu")
         apart = dict(upper, points=[(x, y, z + 1) for x, y, z in upper["points"]])
         pathlib.Path("upper.vtu").write_bytes(other_formats.vtu(apart))

@@ -4,6 +4,7 @@
 #include "hdf5/File.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 // netCDF-4 is HDF5: variables are datasets of the root group, and the coordinates of dimensions are
 // datasets that call themselves dimension scales.
@@ -36,9 +37,9 @@ class Netcdf4 : public NetcdfFile
 public:
   Netcdf4(std::string const& file_name, std::string const& what)
       : NetcdfFile(what + " '" + file_name + "'")
-      , file_(open(file_name))
+      , file_(readable([&] { return h5::File::open(file_name); }))
   {
-    for (auto const& name : file_.names()) {
+    for (auto const& name : readable([&] { return file_.names(); })) {
       try {
         addVariable(name, file_.openDataset(name));
       } catch (h5::Error const&) { // a type or a group
@@ -91,10 +92,11 @@ private:
     return result;
   }
 
-  h5::File open(std::string const& file_name) const
+  template <class Call>
+  std::invoke_result_t<Call> readable(Call const& call) const
   {
     try {
-      return h5::File::open(file_name);
+      return call();
     } catch (h5::Error const& error) {
       throw InputError(where_ + " cannot be read: it is cut or damaged. " + error.what());
     }
