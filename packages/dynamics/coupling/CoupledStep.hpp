@@ -4,6 +4,7 @@
 #include "dynamics/State.hpp"
 #include "dynamics/coupling/CouplingSettings.hpp"
 #include "dynamics/coupling/SolveCount.hpp"
+#include "dynamics/coupling/StepEquations.hpp"
 #include "dynamics/coupling/StepSolvers.hpp"
 #include "dynamics/coupling/StepUnknowns.hpp"
 #include "dynamics/fault/Fault.hpp"
@@ -28,6 +29,15 @@ struct PendingStep
   std::int64_t number; // of all steps that the CoupledStep has begun
 };
 
+struct StepSettings
+{
+  RateUpdate update;
+  DyadicTime clock;
+  CouplingSettings coupling;
+  RateSolverSettings solver;
+  std::size_t solver_memory; // bytes for the solvers of different step sizes, see StepSolvers
+};
+
 struct CoupledResult
 {
   StepStatus status = StepStatus::solved;
@@ -50,17 +60,12 @@ struct CoupledResult
 class CoupledStep
 {
 public:
-  // budget_bytes: memory for the solvers of different step sizes, see StepSolvers. since_start: the
-  // reaction that the normal stress follows, unless it is fixed. body and fault must outlive the
-  // step.
-  CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
-              DyadicTime const& clock, CouplingSettings const& settings,
-              RateSolverSettings const& solver_settings, std::size_t budget_bytes,
+  // since_start: the reaction that the normal stress follows, unless it is fixed. body and fault
+  // must outlive the step.
+  CoupledStep(Body const& body, Fault const& fault, StepSettings const& settings,
               ReactionSinceStart const& since_start = {});
   // The same with these unknowns in place of unknownsOf.
-  CoupledStep(Body const& body, Fault const& fault, RateUpdate const& update,
-              DyadicTime const& clock, CouplingSettings const& settings,
-              RateSolverSettings const& solver_settings, std::size_t budget_bytes,
+  CoupledStep(Body const& body, Fault const& fault, StepSettings const& settings,
               StepUnknownList unknowns);
 
   // The unknowns of a body and its fault, see the constructors: alpha, the normal stress, those of
@@ -68,15 +73,15 @@ public:
   static StepUnknownList unknownsOf(Body const& body, Fault const& fault,
                                     ReactionSinceStart const& since_start);
 
-  DyadicTime const& clock() const { return clock_; }
+  DyadicTime const& clock() const { return settings_.clock; }
   fem::FaultSurface const& surface() const { return fault_.surface(); }
   Body const& body() const { return body_; }
   Fault const& fault() const { return fault_; }
-  RateUpdate const& update() const { return update_; }
+  RateUpdate const& update() const { return settings_.update; }
   StepSolvers const& solvers() const { return solvers_; }
   // The right side of the last rate problem: loads, and terms from the past and from prescribed
   // velocities.
-  RCP<Vector> const& lastRightSide() const { return b_; }
+  RCP<Vector> const& lastRightSide() const { return equations_.rightSide(); }
 
   // Makes a step of the given level from `from` to `to`, which must have the shapes of `from`. On
   // entry `to` holds a guess of the fields that are guessed. If the step fails, only the unknowns
@@ -114,10 +119,6 @@ private:
     bool has_velocity = false; // whether `w` has the velocity of the whole body
   };
 
-  void evaluateLoads(double t0, double t1);
-  void rightSide(State const& from, double tau, State const& to);
-  void setRightSide(State const& to);
-  void setMeanOffset(State const& from, double tau);
   void beginUnknowns(State const& from, double tau, State const& to);
   CoupledResult iterate(State const& from, double tau, RateSolver& solver, Vector& w, State& to,
                         SolveCount& count);
@@ -126,31 +127,19 @@ private:
   tnnmg::TnnmgResult workOn(Effort effort, FrictionProblem const& friction,
                             RateSolver& solver) const;
   void meanSlipRate(RateSolver const& solver, BlockView const& mean, NodeView const& V) const;
-  void displacementAtEnd(Vector const& w, double tau, Vector& u) const;
 
   Body const& body_;
   Fault const& fault_;
-  RateUpdate update_;
-  DyadicTime clock_;
-  CouplingSettings settings_;
+  StepSettings settings_;
   StepUnknowns unknowns_;
   FrictionInput given_;
   StepSolvers solvers_;
-  BodyForces forces_;
-  std::int64_t num_begun_ = 0;     // steps, to tell which one may be completed
-  RCP<Vector> b_without_unknowns_; // null if none adds forces
-  RCP<Vector> b_, prescribed_, u_hat_, a_hat_;
-  BlockView mean_offset_;            // setMeanOffset
-  BlockView prescribed_part_;        // gatherPrescribedPart at the end of the step
-  bool has_prescribed_part_ = false; // whether it has any
-  // Memory for vectors that live no longer than one call of a function.
-  struct Workspace
-  {
-    RCP<Vector> w, u, v, a; // (owned dofs)
-    std::vector<RCP<Vector>> d;
-    BlockView mean; // (num_nodes, T)
-    NodeView V;     // (num_nodes)
-  };
-  Workspace work_;
+  StepEquations equations_;
+  std::int64_t num_begun_ = 0; // steps, to tell which one may be completed
+  RCP<Vector> w_;              // (owned dofs), of solveAtFault
+  // At the nodes of the fault: w of gatherSlip at the beginning and its mean (num_nodes, T), and
+  // the slip rate (num_nodes).
+  BlockView start_velocity_, mean_velocity_;
+  NodeView slip_rate_;
 };
 } // namespace asperity::dynamics

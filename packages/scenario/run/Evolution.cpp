@@ -34,10 +34,11 @@ makeCoupledStep(ParameterList const& deck, Problem<Dim> const& problem,
                 dynamics::Model const& model, dynamics::DyadicTime const& clock)
 {
   auto const& time = problem.settings.time;
-  return std::make_unique<dynamics::CoupledStep>(
-    model.body, model.fault, makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock,
+  const dynamics::StepSettings settings = {
+    makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock,
     dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance), problem.solver,
-    memoryBudget(deck.sublist("TNNMG")), model.reaction);
+    memoryBudget(deck.sublist("TNNMG"))};
+  return std::make_unique<dynamics::CoupledStep>(model.body, model.fault, settings, model.reaction);
 }
 } // namespace
 

@@ -91,9 +91,10 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
   auto const update = scenario::makeRateUpdate(time, false);
   auto const clock = scenario::makeClock(time);
   const auto budget = scenario::memoryBudget(deck->sublist("TNNMG"));
-  dynamics::CoupledStep step(problem.model.body, problem.model.fault, update, clock,
-                             dynamics::CouplingSettings::from(deck->sublist("Coupling"), 0),
-                             problem.solver, budget);
+  dynamics::CoupledStep step(problem.model.body, problem.model.fault,
+                             {update, clock,
+                              dynamics::CouplingSettings::from(deck->sublist("Coupling"), 0),
+                              problem.solver, budget});
   auto const control = scenario::makeStepControl(time, {}, step);
   dynamics::StepSolvers solvers(problem.model.body, problem.surface(), update, clock,
                                 problem.solver, budget);

@@ -337,8 +337,9 @@ ModelOptions hangingBlock()
 
 void advance(dynamics::Model const& model, EnergyBalance& balance, State& state, int num_steps)
 {
-  CoupledStep step(model.body, model.fault, RateUpdate::generalisedAlpha(0.5), milliseconds,
-                   tightCoupling(), tightSettings(), 1u << 30);
+  CoupledStep step(
+    model.body, model.fault,
+    {RateUpdate::generalisedAlpha(0.5), milliseconds, tightCoupling(), tightSettings(), 1u << 30});
   SolveCount count;
   for (int n = 0; n < num_steps; ++n) {
     auto next = state.clone();

@@ -31,8 +31,8 @@ struct ShearedLayer
   explicit ShearedLayer(ModelOptions const& options)
       : model(options, fem::test::selfCommunicator())
       , body(quasiDynamic(model))
-      , step(body.body, body.fault, RateUpdate::backwardEuler(), clock, tightCoupling(),
-             tightSettings(), 1U << 30U)
+      , step(body.body, body.fault,
+             {RateUpdate::backwardEuler(), clock, tightCoupling(), tightSettings(), 1U << 30U})
       , balance(body.body, body.fault, clock)
       , state(body.initial.clone())
       , forces(body.body.noForces())

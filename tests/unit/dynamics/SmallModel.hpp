@@ -96,7 +96,7 @@ struct Stepper
           CouplingSettings const& coupling = tightCoupling(),
           RateSolverSettings const& settings = tightSettings(), std::size_t budget = 1u << 30)
       : clock(time)
-      , step(model.body, model.fault, update, clock, coupling, settings, budget)
+      , step(model.body, model.fault, {update, clock, coupling, settings, budget})
   {
   }
 

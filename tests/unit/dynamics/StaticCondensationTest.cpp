@@ -33,8 +33,9 @@ ModelOptions drivenBlock()
 State stepped(dynamics::Model const& model, int num_steps)
 {
   const DyadicTime clock(0.5, 0);
-  CoupledStep step(model.body, model.fault, RateUpdate::generalisedAlpha(0.5), clock,
-                   tightCoupling(), tightSettings(), 1u << 30);
+  CoupledStep step(
+    model.body, model.fault,
+    {RateUpdate::generalisedAlpha(0.5), clock, tightCoupling(), tightSettings(), 1u << 30});
   SolveCount count;
   auto state = model.initial.clone();
   for (int i = 0; i < num_steps; ++i) {

@@ -109,8 +109,9 @@ private:
 
 CoupledStep stepWith(dynamics::test::Model const& model, StepUnknownList unknowns)
 {
-  return {model.body,      model.fault,     RateUpdate::newmark(0.25), milliseconds,
-          tightCoupling(), tightSettings(), std::size_t(1) << 30,      std::move(unknowns)};
+  const StepSettings settings = {RateUpdate::newmark(0.25), milliseconds, tightCoupling(),
+                                 tightSettings(), std::size_t(1) << 30};
+  return {model.body, model.fault, settings, std::move(unknowns)};
 }
 
 dynamics::test::Model softenedAsAWhole()

@@ -185,8 +185,9 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
     });
     auto const problem = makeProblem<2>(deck, world());
     auto const& time = problem.settings.time;
-    dynamics::CoupledStep step(problem.model.body, problem.model.fault, makeRateUpdate(time),
-                               makeClock(time), {}, problem.solver, 1000000);
+    dynamics::CoupledStep step(
+      problem.model.body, problem.model.fault,
+      {makeRateUpdate(time), makeClock(time), {}, problem.solver, 1000000});
     return makeStepControl(time, {}, step) != nullptr;
   };
   EXPECT_TRUE(control({0, 3, 2}));
