@@ -25,10 +25,10 @@ public:
   StepEquations(StepEquations const&) = delete; // it refers to another member of a step
   StepEquations& operator=(StepEquations const&) = delete;
 
-  // Sets what the unknowns do not change, for a step of tau [s] from `from`, from t0 to t1 [s]: v_D,
-  // the loads, the forces of the past and of v_D, and the mean velocity's offset. Evaluates the
-  // deck's expressions, those of the unknowns, too. If one fails on a rank, all ranks throw.
-  // Collective.
+  // Sets what the unknowns do not change, for a step of tau [s] from `from`, which goes from t0 to
+  // t1 [s]: v_D, the loads, the forces of the past and of v_D, and the offset of the mean velocity.
+  // Evaluates the deck's expressions, those of the unknowns, too. If one fails on a rank, all ranks
+  // throw. Collective.
   void begin(State const& from, double tau, double t0, double t1);
   // b(owned dofs) of the rate problem with the iterates of the unknowns in `to`:
   //   b = l(t1) - M a_D - C v_D - K u_D - sum of K_k d_D + forces of unknowns on the free dofs,
