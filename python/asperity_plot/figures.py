@@ -1,13 +1,16 @@
 """The figures by name. The module of that name draws each."""
 
 from importlib import import_module
-
-from matplotlib.figure import Figure
+from typing import TYPE_CHECKING
 
 from asperity.errors import NothingToShow
-from asperity.run import Run
 
-from .windows import View
+if TYPE_CHECKING:  # the list of figures is printed without matplotlib, too
+    from matplotlib.figure import Figure
+
+    from asperity.run import Run
+
+    from .windows import View
 
 FIGURES = {  # what it shows, and the file that it needs
     "slip_rate": ("slip rate over position and time, with a zoom into a rupture", "fault.h5"),
@@ -33,7 +36,7 @@ FIGURES = {  # what it shows, and the file that it needs
 }
 
 
-def draw(name: str, run: Run, view: View, is_wanted: bool = False) -> Figure:
+def draw(name: str, run: "Run", view: "View", is_wanted: bool = False) -> "Figure":
     """A figure of matplotlib; NothingToShow if the run has no data for it. InputError if one that
     `is_wanted` lacks its file."""
     lack = run.reason_missing(FIGURES[name][1])

@@ -9,7 +9,7 @@ from matplotlib.image import imread
 
 import synthetic_cycle
 import synthetic_run
-from asperity_plot import boxes, cli, energy, iterations, maps, raster, slip, slip_rate, style
+from asperity_plot import cli, energy, events, iterations, maps, raster, slip, slip_rate, style
 from asperity_plot import slip_profiles, surface, windows
 from asperity.run import Run
 from folders import SharedFolderCase, told
@@ -73,18 +73,18 @@ class Figures(SharedFolderCase):
 
     def test_of_few_events_there_are_no_boxes(self):
         run, view = self.view("one")
-        axes = boxes.draw(run, view).axes
+        axes = events.draw(run, view).axes
         self.assertEqual([len(panel.patches) for panel in axes], [0] * len(axes))
         slips = axes[2]
         self.assertEqual(slips.lines[0].get_marker(), "o")
         np.testing.assert_allclose(slips.lines[0].get_xdata(),
-                                   boxes.unit_of(run.events["peak_slip"], "m")(
+                                   events.unit_of(run.events["peak_slip"], "m")(
                                        run.events["peak_slip"]))
-        many = boxes.draw(*self.view("many")).axes[0]
+        many = events.draw(*self.view("many")).axes[0]
         self.assertEqual(len(many.patches), 1)
 
     def test_quartiles_are_in_one_unit(self):
-        self.assertEqual(boxes._texts(np.array([2.16e5, 2.1e9]), "s"), ["0.00684 yr", "66.5 yr"])
+        self.assertEqual(events._texts(np.array([2.16e5, 2.1e9]), "s"), ["0.00684 yr", "66.5 yr"])
 
     def test_slip_has_colours_from_the_first_event_to_the_last(self):
         """Also where all events come late: here after 12 of 126 s."""
@@ -205,8 +205,8 @@ class Figures(SharedFolderCase):
 
     def test_boxes_are_those_of_the_table(self):
         run, view = self.view("many")
-        self.assertEqual([row[1] for row in boxes.summary(run)], [6, 7, 7, 7, 7])
-        titles = [axes.get_title(loc="right") for axes in boxes.draw(run, view).axes]
+        self.assertEqual([row[1] for row in events.summary(run)], [6, 7, 7, 7, 7])
+        titles = [axes.get_title(loc="right") for axes in events.draw(run, view).axes]
         median = np.median(np.diff(run.events["onset"]))
         self.assertEqual(titles[0], f"median {median:.1f} s")
 
@@ -218,10 +218,10 @@ class Figures(SharedFolderCase):
         folder = self.folder / "single_node"
         folder.mkdir()
         (folder / "events.csv").write_text("\n".join([text[0], ",".join(cells), *text[2:], ""]))
-        widths = boxes.samples(Run(folder))["width"]
+        widths = events.samples(Run(folder))["width"]
         self.assertEqual(widths.size, 6)
         self.assertGreater(widths.min(), 0.0)
-        figure = boxes.draw(Run(folder), self.view("many")[1])
+        figure = events.draw(Run(folder), self.view("many")[1])
         self.assertTrue(any("1 event of a single node" in text.get_text()
                             for text in figure.texts))
 
