@@ -12,7 +12,7 @@ from asperity.log import RunLog
 from asperity.parameters import NUMBER
 from asperity.run import Run
 from asperity_plot import event_table
-from asperity_plot.events import summary
+from asperity_plot.events import summary as event_summary
 from asperity_plot.markdown import Column
 from asperity_plot.windows import View
 from asperity_status.facts import Facts
@@ -94,7 +94,7 @@ def events(run: Run, view: View, wrong: List[str]) -> str:
         if not len(run.events):
             return page.paragraph(f"No event. {run.selection}".strip())
         parts = [page.table(["", "events", "lower quartile", "median", "upper quartile"],
-                            summary(run)),
+                            event_summary(run)),
                  _columns(event_table.events(run, view))]
         for table in (event_table.cycles, event_table.energy):
             try:
