@@ -24,7 +24,7 @@ class Steps(unittest.TestCase):
         result = bench("steps", DECKS / deck, "--steps", "3", *settings, "--output", output)
         self.assertEqual(result.returncode, 0, result.stderr)
         numbers = json.loads(output.read_text())
-        self.assertEqual((numbers["ranks"], numbers["accepted"], numbers["energy increases"]),
+        self.assertEqual((numbers["ranks"], numbers["accepted"], numbers["energy_increases"]),
                          (1, 3, 0))
         self.assertGreaterEqual(numbers["coupled_steps"], 3)
         self.assertGreater(numbers["product_seconds"], 0)

@@ -40,7 +40,7 @@ class Ranks(unittest.TestCase):
         alone = self.numbers[1]
         for ranks, numbers in self.numbers.items():
             self.assertEqual(numbers["coupled_steps"], alone["coupled_steps"])
-            self.assertEqual(numbers["energy increases"], 0)
+            self.assertEqual(numbers["energy_increases"], 0)
             for count in ("tnnmg_iterations", "v_cycles"):
                 self.assertLess(abs(numbers[count] - alone[count]), 0.1 * alone[count],
                                 (ranks, count))
@@ -80,7 +80,7 @@ class Steps(unittest.TestCase):
 
     def check(self, deck, steps):
         numbers = counts(deck, steps)
-        self.assertEqual((numbers["energy increases"], numbers["failures"]), (0, 0))
+        self.assertEqual((numbers["energy_increases"], numbers["failures"]), (0, 0))
         # A correction reduces the error to a tenth, and a V-cycle at least halves it.
         self.assertGreater(numbers["v_cycles"], 0)
         self.assertLessEqual(numbers["v_cycles"], 4 * numbers["corrections"])

@@ -130,7 +130,7 @@ class Convert(mesh_tool.Case):
         self.refuse("'connect'", "integers", connect=CELLS.astype(float))
         self.refuse("vertex 70, outside [0, 7)", connect=numpy.where(CELLS == 4, 70, CELLS))
         self.refuse("no such boundary or fault", "'absorbing'", options=("--without", "absorbin"))
-        self.refuse("--set h=1", "no geometry", options=("--set", "h=1"))
+        self.refuse("--set h=1", "only for Gmsh", options=("--set", "h=1"))
         with open("text.puml.h5", "w", encoding="utf-8") as file:
             file.write("no mesh")
         self.assert_refused(["convert", "text.puml.h5", "bad.h5"], "'text.puml.h5'",

@@ -17,7 +17,8 @@ import synthetic_cycle
 import synthetic_run
 from asperity import selection
 from asperity.selection import Selection
-from asperity_plot import events, windows
+from asperity_plot import events as boxes
+from asperity_plot import windows
 from asperity_study import results
 from asperity_study.runner import Job
 from asperity_study.study import Study, Variable
@@ -53,7 +54,7 @@ class Choosing(FolderCase):
         self.run_ = asperity.Run(self.folder)
 
     def median(self, run: asperity.Run) -> float:
-        return float(np.median(events.samples(run)["recurrence"]))
+        return float(np.median(boxes.samples(run)["recurrence"]))
 
     def test_all_events_count_without_a_choice(self):
         self.assertEqual(len(self.run_.events), 20)
@@ -86,7 +87,7 @@ class Choosing(FolderCase):
             events = self.run_.select(start=start).events
             np.testing.assert_array_equal(events["number"], np.arange(5, 21))
         run = self.run_.select(smallest_width=1e3, start=second)
-        np.testing.assert_allclose(events.samples(run)["recurrence"], RECURRENCE[1:])
+        np.testing.assert_allclose(boxes.samples(run)["recurrence"], RECURRENCE[1:])
         self.assertEqual(len(self.run_.select(start=second + 1.0).events), 15)
         merged = self.run_.select(merging_time=30.0 * DAY, start=second + 1.0).events
         np.testing.assert_array_equal(merged["number"], [9, 13, 17])
@@ -149,7 +150,7 @@ class Programs(FolderCase):
 
     def test_of_the_boxes(self):
         run = asperity.Run(self.folder).select(start=20.0 * YEAR)
-        figure = events.draw(run, windows.choose(run, None))
+        figure = boxes.draw(run, windows.choose(run, None))
         self.addCleanup(pyplot.close, figure)
         self.assertEqual(figure._suptitle.get_text(), "Recurrence, size and speed of 16 events")
         self.assertTrue(any("before 20 yr" in text.get_text() for text in figure.texts))
