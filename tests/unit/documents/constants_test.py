@@ -33,9 +33,9 @@ CONSTANTS = [
     ("docs/choosing.md", r"The zone needs (\w+) cells or more",
      "packages/scenario/report/ResolutionCheck.hpp", rf"fewest_cells_of_front = {NUMBER};"),
     ("docs/choosing.md", r"default is a (\w+) of the tolerance of the steps",
-     "packages/dynamics/coupling/CoupledStep.cpp", rf"share_of_steps = {NUMBER};"),
+     "packages/dynamics/coupling/CouplingSettings.cpp", rf"share_of_steps = {NUMBER};"),
     ("docs/choosing.md", rf"of the tolerance of the steps, at most {NUMBER}",
-     "packages/dynamics/coupling/CoupledStep.hpp", rf"double tolerance = {NUMBER};"),
+     "packages/dynamics/coupling/CouplingSettings.hpp", rf"double tolerance = {NUMBER};"),
 ]
 
 
