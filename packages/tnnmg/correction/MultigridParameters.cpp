@@ -93,7 +93,7 @@ Entries<MultigridParameters> multigridEntries()
             "preconditioner. V-Cycles: a few V-cycles are made, each with an optimal step length.")
     .choice("Cycle", &P::cycle,
             {{"Asperity", P::CycleKind::asperity}, {"MueLu", P::CycleKind::muelu}},
-            "Selects whose V-cycle it is. Asperity: ours, in single precision. MueLu: that of "
+            "Selects the V-cycle. Asperity: that of Asperity, in single precision. MueLu: that of "
             "Trilinos on the same prolongators, in double precision, with the smoothers and the "
             "coarse solver of the list MueLu; a reference, which costs more.")
     .choice("Smoother", &P::smoother, registered.words,
