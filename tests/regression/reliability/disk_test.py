@@ -43,10 +43,10 @@ class FullDisk(unittest.TestCase):
         folder = runs.fresh("full")
         total = faults.count_operations(folder, *runs.RUN)
         self.assertGreater(total, 200)
-        chosen = {*range(1, 30, 4), *range(30, total, total // 5)}
-        if faults.is_long():
-            chosen = set(range(1, total))
-        for number in sorted(chosen):
+        chosen = numbers = faults.failing_numbers(total)
+        if not faults.is_long():
+            chosen = sorted({*numbers[:29:4], *numbers[29::total // 5]})
+        for number in chosen:
             with self.subTest(number=number):
                 folder = runs.fresh("full")
                 result = faults.run(folder, "full", number, *runs.RUN)
@@ -56,7 +56,9 @@ class FullDisk(unittest.TestCase):
         print(f"full disk at {len(chosen)} of {total} writes")
 
     def test_at_any_new_file(self):
-        """What there is can be written, but no file or folder can be made: no inodes are left."""
+        """What there is can be written, but no file or folder can be made: no inodes are left. How
+        many are made follows from the deck alone, and none of them only completes log or journal,
+        so that each number is one that fails."""
         whole = asperity_run.run_to_end("whole_files", *runs.RUN)
         counts = faults.operations(runs.fresh("files"), *runs.RUN)
         for letter in "om":
@@ -78,7 +80,7 @@ class FullDisk(unittest.TestCase):
         self.assertGreater(total, 200)
         # Rank 0 writes what the others have.
         self.assertEqual(faults.count_operations(runs.fresh("ranks"), *run, ranks=2, rank=1), 0)
-        chosen = random.Random(0).sample(range(1, total + 1), faults.trials(4, 60))
+        chosen = random.Random(0).sample(faults.failing_numbers(total), faults.trials(4, 60))
         for number in sorted(chosen):
             with self.subTest(number=number):
                 folder = runs.fresh("ranks")
@@ -111,9 +113,7 @@ class ReadOnly(unittest.TestCase):
         # Of the rank that writes most, which comes there first.
         total = max(faults.count_operations(runs.fresh("readonly"), *run, ranks=ranks, rank=rank,
                                             kind="readonly") for rank in range(ranks))
-        # The last four complete log and journal when all results are on the disk: no failure. How
-        # often HDF5 writes is not always the same.
-        numbers = range(total // 2, total - 8)
+        numbers = faults.failing_numbers(total, first=total // 2)
         chosen = random.Random(ranks).sample(numbers, faults.trials(2, 60))
         for number in sorted(chosen):
             with self.subTest(number=number, ranks=ranks):

@@ -57,3 +57,14 @@ def operations(folder, *arguments, ranks=1, rank=None, kind="full", timeout=60):
 def count_operations(*arguments, **options):
     """How many operations there are of all kinds."""
     return sum(operations(*arguments, **options).values())
+
+
+def failing_numbers(total, first=1):
+    """The numbers, from `first` on, of the operations whose failure certainly ends a run, if
+    another run of the same deck had `total` of them.
+
+    The last eight are left out for two reasons. The last four complete log and journal when all
+    results are on the disk, and a run without them has not failed. And two runs may differ by a
+    few operations: HDF5 decides by the state of its caches when it writes, and lines of progress
+    depend on the clock. So the run that is disturbed may end before the last number comes."""
+    return range(first, total - 7)
