@@ -5,6 +5,7 @@ import unittest
 
 import asperity_run
 from asperity_run import settings
+from documented_columns import assert_documented
 
 DECK = pathlib.Path(__file__).parent.parent / "refinement" / "buried_fault.xml"
 CATALOGUE = "Output/Event Catalogue"
@@ -27,6 +28,10 @@ class EachFault(unittest.TestCase):
                               for folder in [self.run_deck("whole")] for name in TABLES)
         self.assertTrue(whole and main and other)
         self.assertAlmostEqual((sum(main) + sum(other)) / sum(whole), 1, delta=1e-7)  # 8 digits
+
+    def test_columns_are_those_of_the_manual(self):
+        folder = self.run_deck("columns", *settings("Time Stepping/Final Time=0.2"))
+        assert_documented(self, folder, 3, without=("share_on_floor", "inelastic_work"))
 
     def stopped(self, name):
         """A run that ends within an event of each fault."""
