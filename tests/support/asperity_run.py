@@ -8,6 +8,7 @@ import shlex
 import shutil
 import subprocess
 
+import deck_entries
 import h5py
 import time_limits
 
@@ -22,13 +23,22 @@ def command(*arguments, ranks=1):
     return words if ranks == 1 else [*MPIEXEC, str(ranks), *words]
 
 
-def settings(*changes):
+def settings(*changes, of_plugin=()):
     """Arguments that change entries of a deck, each a text or {name: value} of several:
-    settings("Mesh/Refinements=1", {"Bulk/Density": 2700}, ...)."""
+    settings("Mesh/Refinements=1", {"Bulk/Density": 2700}, ...).
+
+    ValueError if the program has no such entry, so that a test which expects a failure cannot pass
+    because of a misspelt or former name; `of_plugin` has the paths of those that a plugin adds. A
+    test of such a mistake itself gives `--set`."""
     texts = []
     for change in changes:
         texts += [change] if isinstance(change, str) else [
             f"{name}={value}" for name, value in change.items()]
+    for text in texts:
+        path, equals, _ = text.partition("=")
+        if not equals:
+            raise ValueError(f"'{text}' has no value.")
+        deck_entries.require_known(path, of_plugin)
     return [word for text in texts for word in ("--set", text)]
 
 

@@ -193,9 +193,11 @@ class Decks(Case):
 
 class CommandLine(Case):
     def test_settings(self):
-        self.assert_setting_refused("Friction/Lenght=1", "Friction", "Lenght")
-        self.assert_setting_refused("Frictoin/L=1", "Frictoin", "Did you mean 'Friction'?")
-        self.assert_setting_refused("Friction/L", "Friction/L")
+        for change, pieces in (("Friction/Lenght=1", ("Friction", "Lenght")),
+                               ("Frictoin/L=1", ("Frictoin", "Did you mean 'Friction'?")),
+                               ("Friction/L", ("Friction/L",))):
+            with self.subTest(change):
+                self.assert_refused([DECK, "--set", change], *pieces)
         self.assert_setting_refused("Friction/L=long", "Asperity / Friction / L", "long")
 
     def test_options(self):
