@@ -20,7 +20,9 @@ struct RegularisationScales
 // of its mean V and of a sigma that is linear in time. s is an unknown of the step, an added field
 // of the state, `regularised_normal_stress`, and an output.
 //
-// sigma is what the processes `before` leave of State::sigma_n. The surface must outlive this.
+// sigma is what the processes `before` leave of State::sigma_n. So this acts after all others and
+// is not registered with them: `Normal Stress Change` of a deck chooses it, and it becomes
+// FaultLaws::regularisation. The surface must outlive this.
 std::shared_ptr<const FaultProcess> makeRegularisedStress(fem::FaultSurface const& surface,
                                                           RegularisationScales const& scales,
                                                           FaultProcesses before);
