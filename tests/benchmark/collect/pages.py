@@ -49,7 +49,7 @@ def of_case(case, known, entries):
 
 
 def index(cases, entries):
-    lines = ["| case | quantity | reference | reference value | ours | difference |",
+    lines = ["| case | quantity | reference | reference value | Asperity | difference |",
              "|---|---|---|---|---|---|"]
     for case in cases:
         for quantity, row in _rows(case, entries.get(case.name, {"quantities": []})):
@@ -109,7 +109,7 @@ def difference(value, reference, quantity):
     if isinstance(value, int) and not quantity.unit:
         return f"{value - reference:+d}"
     relative = value / reference - 1
-    if quantity.reference is None and abs(relative) < SMALL:  # of another run of ours
+    if quantity.reference is None and abs(relative) < SMALL:  # of another run of Asperity
         return f"{relative:+.0e}" if relative else "0"
     percent = f"{100 * relative:+.2f}"
     return f"{percent} %" if float(percent) else "0.00 %"
