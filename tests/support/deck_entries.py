@@ -31,5 +31,5 @@ def _expression(words):
 def require_known(path, of_plugin=()):
     """Raises ValueError unless the program or a plugin, as the caller says, has this entry."""
     if path not in of_plugin and not _known().fullmatch(path):
-        raise ValueError(f"'{path}' is no entry of a deck: {PAGE.name} does not have it. Entries of "
-                         "a plugin are named by `of_plugin`.")
+        raise ValueError(f"'{path}' is no entry of a deck: {PAGE.name} does not have it. Name the "
+                         "entries of a plugin in `of_plugin`.")
