@@ -10,12 +10,12 @@
 // the law whose name it has, as slipDistance(). A function that the law does not have is empty.
 namespace asperity::friction
 {
-// What alpha is. A friction law and a state law go together if they have the same alpha.
+// The meaning of alpha. A friction law can be used with a state law of the same alpha.
 inline constexpr char const* logarithm_of_theta = "ln(theta V* / L)";
 inline constexpr char const* no_state = "none";
 
-// How mu changes at large slip rates: its derivatives by log V and by alpha, both
-// dimensionless. These are a and b of mu = mu* + a log(V / V*) + b alpha.
+// The derivatives of mu by ln V and by alpha at large slip rates, both dimensionless: a and b of
+// mu = mu* + a ln(V / V*) + b alpha.
 struct Sensitivity
 {
   double slip_rate; // a
@@ -28,7 +28,7 @@ struct FrictionLawProperties
   std::function<Sensitivity(double const* values)> sensitivity;
   // mu* [-] of the state psi = mu* + b alpha that friction depends on.
   std::function<double(double const* values)> reference_friction = {};
-  // mu_s - mu_d [-], by which friction falls with slip under a law that does not depend on V.
+  // mu_s - mu_d [-], the fall of friction with slip under a law that does not depend on V.
   std::function<double(double const* values)> strength_drop = {};
   char const* state_variable = logarithm_of_theta;
 };
@@ -45,12 +45,12 @@ struct StateLawProperties
   std::function<double(double const* values)> stress_sensitivity = {};
   // Whether steady friction falls more at high slip rates than a and b say.
   bool weakens_at_high_rates = false;
-  // Whether it takes steady friction from a table, of log10 V [m/s].
+  // Whether it takes steady friction from a table over log10(V s/m).
   bool has_table = false;
   char const* state_variable = logarithm_of_theta;
-  // For laws whose nucleation length follows from a formula, that of Uenishi and Rice for friction
-  // laws with a strength drop, that of Rubin and Ampuero for others: what it holds for and where it
-  // is from, for messages. Null for laws of which only the linear stability of slip is known.
+  // For messages: the assumptions and the source of the formula for the nucleation length, which is
+  // that of Uenishi and Rice (2003) for friction laws with a strength drop and that of Rubin and
+  // Ampuero (2005) for others. Null if neither formula holds for the law.
   char const* nucleation_source = nullptr;
 };
 } // namespace asperity::friction

@@ -6,22 +6,23 @@
 
 namespace asperity::friction
 {
-// A function by points, a cubic between each two: (num_points, 3) rows of x, which increases, f and
-// df/dx, on the device.
+// A function that is given at points and is a cubic between neighbours (Hermite interpolation):
+// (num_points, 3), a row x, f, df/dx for each point, with increasing x, on the device.
 using TableView = Kokkos::View<const double* [3], Kokkos::LayoutRight, MemorySpace>;
 
-// The cubics through two points or more are monotone where the points are (Fritsch & Carlson 1980),
-// and of third order there. Throws std::invalid_argument if a number is not finite, x does not
-// increase, or there are fewer than two points or not as many f as x.
+// The cubics through two points or more. They are monotone where the values f are (Fritsch and
+// Carlson 1980), with an error of third order in the distance of the points. Throws
+// std::invalid_argument if a number is not finite, x does not increase, or there are fewer than two
+// points or not as many f as x.
 TableView makeTable(std::vector<double> const& x, std::vector<double> const& f);
 
-// What a law on the device has of a table that others keep. Host and device.
+// A table as a law on the device sees it; a TableView keeps its memory. Host and device.
 struct Table
 {
   double const* points = nullptr;
   int num_points = 0;
 
-  // f at x; beyond the points that of the first or the last one.
+  // f at x; beyond the points it is that of the first or the last one.
   KOKKOS_INLINE_FUNCTION double operator()(double x) const
   {
     int low = 0, high = num_points - 1;

@@ -6,7 +6,7 @@ namespace asperity::friction
 {
 using ParameterView = Kokkos::View<const double**, MemorySpace>; // (num_parameters, num_nodes)
 
-// What friction needs to know about the fault's nodes and what does not change in a run. The views
+// The data of the fault's nodes that friction depends on and that do not change in a run. The views
 // are shared with the caller; the parameters are read once, when the kernels are made.
 struct FaultView
 {
@@ -20,7 +20,7 @@ struct FaultView
   ParameterView parameters; // rows in the order of the law's table
 };
 
-// mu and its first two derivatives with respect to log V, all without a dimension.
+// mu and its first two derivatives with respect to ln V, all dimensionless.
 struct Response
 {
   double mu;
@@ -28,14 +28,14 @@ struct Response
   double second;
 };
 
-// What else than the velocity friction is evaluated at: an argument of each call.
+// The arguments of friction in addition to the velocity.
 struct StateAndStress
 {
   ConstNodeView alpha;   // ln(theta V* / L)
   ConstNodeView sigma_n; // normal stress, compression, >= 0, Pa
-  // (num_nodes, T), m/s: what is added to the velocity of each node. It is zero in components that
-  // are free, and is not in those whose velocity is prescribed beside a free one, where the unknown
-  // is zero. A view without entries means zero everywhere.
+  // (num_nodes, T), m/s, added to the unknowns to give the velocity. At a node with one free and
+  // one prescribed component it is the prescribed velocity in the latter, whose unknown is zero;
+  // all other entries are zero. A view without entries means zero everywhere.
   ConstBlockView prescribed = {};
 };
 } // namespace asperity::friction

@@ -7,8 +7,8 @@
 // references, which would take longer than the work at one node.
 namespace asperity::friction::detail
 {
-// v_i := the minimiser under the force r_i, at right angles to a prescribed velocity of the given
-// length. False: there is none.
+// v_i := the minimiser under the force r_i, which is at right angles to the prescribed velocity of
+// the given length. Returns whether there is a minimiser; v does not change if there is none.
 template <int T, class Potential>
 KOKKOS_INLINE_FUNCTION bool minimiseAt(Potential const& potential, double prescribed_rate,
                                        double curvature, double const (&force)[T], double* v)

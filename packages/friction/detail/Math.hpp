@@ -6,7 +6,7 @@
 
 #include <limits>
 
-// Functions that both friction laws use, on host and device. All quantities are dimensionless.
+// Functions that the laws share, on host and device. All quantities are dimensionless.
 namespace asperity::friction
 {
 namespace math = asperity::math; // for laws, those of plugins too

@@ -71,7 +71,8 @@ private:
   static constexpr int largest_count =
     120; // bisection needs 11 for the decade and 52 for the digits
 
-  // V^p -> V^p (1 - p step)
+  // The slip rate W after a step of Newton's method in V^p: W^p = V^p (1 - p step), which is
+  // W = V exp(-step) for p = 0.
   KOKKOS_INLINE_FUNCTION static double stepped(double V, double step, double p)
   {
     if (math::fabs(step) < 0.2) {

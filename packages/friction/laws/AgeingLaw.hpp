@@ -4,8 +4,13 @@
 
 namespace asperity::friction
 {
-// The ageing law d(alpha)/dt = (V* exp(-alpha) - V) / L, Pipping 2014, (2); d(theta)/dt = 1 - V
-// theta / L. Host and device; V >= 0 in m/s, dt >= 0 in s.
+// The ageing law (Dieterich 1979; Pipping 2014, equation 2),
+//
+//   d(theta)/dt = 1 - V theta / L,  hence  d(alpha)/dt = (V* exp(-alpha) - V) / L,
+//
+// with the state theta [s], alpha = ln(theta V* / L) [-], the slip rate V >= 0 [m/s], the reference
+// slip rate V* [m/s] and the characteristic slip distance L [m]. The state grows with time even
+// without slip. Host and device.
 struct AgeingLaw : StateParameters
 {
   static constexpr char const* name = "Ageing";
@@ -19,10 +24,12 @@ struct AgeingLaw : StateParameters
     return (reference_rate * math::exp(-alpha) - V) / slip_distance;
   }
 
-  // alpha after dt at constant V. With q = V dt / L,
+  // alpha after the time dt >= 0 [s] at constant V, which is the exact solution: with q = V dt / L,
+  //
   //   exp(alpha1) = exp(alpha0 - q) + (V* dt / L) (1 - exp(-q)) / q.
-  // The first term is what is left of the old contact, the second what has healed since. They are
-  // added as logarithms.
+  //
+  // The first term is the part of theta V* / L from before, the second one has grown since. Both
+  // may overflow or underflow, so that only their logarithms are computed.
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
   {
     const double q = V * dt / slip_distance;
@@ -32,6 +39,7 @@ struct AgeingLaw : StateParameters
     return detail::larger(left, healed) + math::log1p(math::exp(-math::fabs(left - healed)));
   }
 
+  // alpha = -ln(V / V*), for which theta = L / V.
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const { return -logRatio(V); }
 };
 } // namespace asperity::friction

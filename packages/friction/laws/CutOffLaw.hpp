@@ -6,9 +6,14 @@
 
 namespace asperity::friction
 {
-// mu(V, alpha) = max(0, mu* + b alpha - a log(1 + V_c / V)): the direct effect ends at the cut-off
-// V_c, above which mu depends on the state alone (Okubo 1989). Host and device; V >= 0 in m/s, any
-// alpha.
+// Friction with a cut-off of the direct effect (Okubo 1989),
+//
+//   mu(V, alpha) = max(0, mu* + b alpha - a ln(1 + V_c / V)),
+//
+// with the slip rate V >= 0 [m/s], the state alpha = ln(theta V* / L) [-], the reference friction
+// mu* [-], the weights a of the direct effect and b of the state [-], and the cut-off slip rate V_c
+// [m/s]. Far below V_c it is mu* + a ln(V / V_c) + b alpha; far above V_c it depends on the state
+// alone. Host and device; alpha may have any value.
 struct CutOffLaw
 {
   static constexpr char const* name = "Cut-Off";
@@ -30,17 +35,18 @@ struct CutOffLaw
   Sensitivity sensitivity() const { return {a, b}; } // far below the cut-off
   double referenceFriction() const { return reference_friction; }
 
-  // The law at one state: mu = max(0, level - a log(1 + V_c / V)).
+  // The law at one state: mu(V) = max(0, level - a ln(1 + V_c / V)) with level = mu* + b alpha.
   struct Curve
   {
     double a;
-    double level;
-    double cut_off; // V_c, m/s
-    double log_cut_off;
+    double level;       // mu* + b alpha
+    double cut_off;     // V_c, m/s
+    double log_cut_off; // ln(V_c s/m)
 
     KOKKOS_INLINE_FUNCTION double mu(double V) const { return detail::larger(difference(V), 0); }
 
-    // dmu/dV in s/m; at the kink it is the derivative from above.
+    // dmu/dV in s/m. The kink is the slip rate at which mu becomes positive; there it is the
+    // derivative from above.
     KOKKOS_INLINE_FUNCTION double derivative(double V) const
     {
       return difference(V) < 0 ? 0 : a / (V * (1 + V / cut_off));
@@ -68,7 +74,8 @@ struct CutOffLaw
       return beyond > 0 ? beyond / width * meanAbove(kink(), beyond) : 0;
     }
 
-    // The sum of the magnitudes of the terms of mu, which may nearly cancel; V > 0.
+    // The sum of the magnitudes of the terms of mu, which may nearly cancel; V > 0. Times the
+    // rounding unit it is the size of the errors of mu and mean.
     KOKKOS_INLINE_FUNCTION double terms(double V) const
     {
       const bool slides = kinkedAt(V) || difference(V) > 0;
@@ -76,27 +83,28 @@ struct CutOffLaw
                     : 0;
     }
 
-    // True within the rounding of mu.
+    // Whether mu has its kink at V, to the rounding of mu.
     KOKKOS_INLINE_FUNCTION bool kinkedAt(double V) const
     {
       return math::fabs(difference(V)) <= 4 * detail::epsilon * (a + math::fabs(level));
     }
 
   private:
-    // level - a log(1 + V_c / V), without overflow; -infinity at V = 0.
+    // level - a ln(1 + V_c / V), without overflow; -infinity at V = 0.
     KOKKOS_INLINE_FUNCTION double difference(double V) const
     {
       const double x = log_cut_off - math::log(V);
       return level - a * (x > 0 ? x + math::log1p(math::exp(-x)) : math::log1p(math::exp(x)));
     }
 
-    // The V at which mu begins; 0 where it underflows. level > 0.
+    // The slip rate [m/s] at which mu becomes positive, V_c / (exp(level / a) - 1). It is 0 where
+    // that underflows, and infinite where mu is zero at every V, since level <= 0.
     KOKKOS_INLINE_FUNCTION double kink() const
     {
       return level > 0 ? cut_off / math::expm1(level / a) : infinity;
     }
 
-    // The average of level - a [log(V + V_c) - log V] over [low, low + width]; width > 0.
+    // The average of level - a [ln(V + V_c) - ln V] over V in [low, low + width]; width > 0.
     KOKKOS_INLINE_FUNCTION double meanAbove(double low, double width) const
     {
       const double high = low + width;
@@ -115,7 +123,7 @@ struct CutOffLaw
     return {a, reference_friction + b * alpha, cut_off, math::log(cut_off)};
   }
 
-  // The alpha at which mu(V, alpha) = mu; V > 0, mu > 0. Not a finite number if b = 0.
+  // The alpha at which mu(V, alpha) = mu; V > 0, mu > 0. It is not finite if b = 0.
   KOKKOS_INLINE_FUNCTION double stateFor(double V, double mu) const
   {
     return (mu + a * math::log1p(cut_off / V) - reference_friction) / b;

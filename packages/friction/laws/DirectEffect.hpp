@@ -6,18 +6,25 @@
 
 namespace asperity::friction
 {
-// The parameters of mu = mu* + a log(V / V*) + b alpha = a log(V / V_alpha), which the regularised
-// and the truncated law keep from becoming negative (Pipping 2014, §1.2).
+// The parameters of the logarithmic law of friction (Dieterich 1979; Pipping 2014, section 1.2),
 //
-// V_alpha = V* exp(-(mu* + b alpha) / a) underflows for common parameters and never appears: all
-// is said in x(V) = log(V / V_alpha) = log V + shift(alpha).
+//   mu(V, alpha) = mu* + a ln(V / V*) + b alpha = a ln(V / V_alpha),
+//   V_alpha = V* exp(-(mu* + b alpha) / a),
+//
+// with the slip rate V [m/s], the state alpha = ln(theta V* / L) [-], the reference friction mu*
+// [-] at the reference slip rate V* [m/s], and the weights a of the direct effect and b of the
+// state [-]. Below V_alpha this mu is negative; the regularised and the truncated law replace it
+// there.
+//
+// V_alpha underflows for common parameters. Both laws therefore compute with
+// x(V) = ln(V / V_alpha) = ln V + shift(alpha).
 struct DirectEffect
 {
   double a;
   double b;
   double reference_rate;     // V*, m/s
   double reference_friction; // mu*
-  double log_reference_rate; // log(V* s/m)
+  double log_reference_rate; // ln(V* s/m)
 
   static constexpr ParameterOf<DirectEffect> parameters[] = {
     {&DirectEffect::a, parameter::direct_effect},
@@ -32,13 +39,13 @@ struct DirectEffect
   Sensitivity sensitivity() const { return {a, b}; }
   double referenceFriction() const { return reference_friction; }
 
-  // -log(V_alpha s/m)
+  // -ln(V_alpha s/m) = (mu* + b alpha) / a - ln(V* s/m)
   KOKKOS_INLINE_FUNCTION double shift(double alpha) const
   {
     return (reference_friction + b * alpha) / a - log_reference_rate;
   }
 
-  // The alpha at which log(V / V_alpha) = x; not a finite number if b = 0.
+  // The alpha at which ln(V / V_alpha) = x. It is not finite if b = 0.
   KOKKOS_INLINE_FUNCTION double stateAt(double V, double x) const
   {
     return (a * (x - (math::log(V) - log_reference_rate)) - reference_friction) / b;

@@ -6,8 +6,8 @@
 
 namespace asperity::friction
 {
-// A fault without friction: mu = 0 at every slip rate, with nothing to choose. What the fault bears
-// is its cohesion. Host and device.
+// A fault without friction: mu(V, alpha) = 0 at every slip rate V and state alpha. The fault bears
+// its cohesion alone, and the law has no parameters. Host and device.
 struct NoFriction
 {
   static constexpr char const* name = "None";
@@ -26,7 +26,7 @@ struct NoFriction
   KOKKOS_INLINE_FUNCTION double stateFor(double, double) const { return infinity; }
 };
 
-// The state that goes with it: it stays what it is.
+// The state law for a fault without friction: d(alpha)/dt = 0. Host and device.
 struct NoState
 {
   static constexpr char const* name = "None";

@@ -4,15 +4,19 @@
 
 namespace asperity::friction
 {
-// Steady friction that falls steeply at coseismic slip rates (Noda, Dunham & Rice 2009):
+// State laws (SteadyFriction) whose steady friction falls steeply at the slip rates of earthquakes
+// (Noda, Dunham & Rice 2009):
 //
-//   f_ss = f_w + (f_LV - f_w) share(V / V_w),
-//   f_LV = a asinh[(V / V*)^(1 - b/a) exp(mu* / a) / 2] = mu* - (b - a) log(V / V*)
+//   f_ss(V) = f_w + (f_LV(V) - f_w) share(V / V_w),
+//   f_LV(V) = a asinh[(V / V*)^(1 - b/a) exp(mu* / a) / 2].
 //
-// to rounding where f_LV exceeds a few a; in this form it is positive at every slip rate. Far below
-// V_w, where the share is 1, this is the slip law. Host and device; V >= 0 in m/s.
+// V >= 0 is the slip rate [m/s], f_w [-] the weakened friction, V_w [m/s] the weakening slip rate,
+// f_LV [-] the friction at low slip rates, mu* [-] the reference friction at the reference slip
+// rate V* [m/s], and a and b [-] are the weights of the direct effect and of the state. Where f_LV
+// is more than a few times a, it equals mu* - (b - a) ln(V / V*) up to rounding; it is positive at
+// every slip rate. Far below V_w the share is 1, and the law is the slip law. Host and device.
 //
-// Law gives `name` and share(log(V / V_w)) in (0, 1], which does not increase.
+// Law provides `name` and share(ln(V / V_w)) in (0, 1], which does not increase.
 template <class Law>
 struct RateWeakening : SteadyFriction<Law>
 {
@@ -22,7 +26,7 @@ struct RateWeakening : SteadyFriction<Law>
 
   double weakened_friction;  // f_w
   double weakening_rate;     // V_w, m/s
-  double log_weakening_rate; // log(V_w s/m)
+  double log_weakening_rate; // ln(V_w s/m)
 
   static constexpr ParameterOf<RateWeakening> parameters[] = {
     {&RateWeakening::a, parameter::direct_effect},
@@ -45,6 +49,7 @@ struct RateWeakening : SteadyFriction<Law>
     log_weakening_rate = math::log(weakening_rate);
   }
 
+  // The alpha [-] at which friction at V is f_ss(V).
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
     const double log_V = math::log(V);
@@ -58,7 +63,8 @@ struct RateWeakening : SteadyFriction<Law>
   }
 };
 
-// share = (1 + (V / V_w)^8)^(-1/8), Dunham et al. 2011, the law of SCEC's TPV103 to TPV105.
+// Strong rate weakening (Dunham et al. 2011), as in the benchmarks TPV103 to TPV105 of SCEC:
+//   share = (1 + (V / V_w)^8)^(-1/8).
 struct StrongRateWeakeningLaw : RateWeakening<StrongRateWeakeningLaw>
 {
   static constexpr char const* name = "Strong Rate Weakening";
@@ -71,7 +77,8 @@ struct StrongRateWeakeningLaw : RateWeakening<StrongRateWeakeningLaw>
   }
 };
 
-// share = min(1, V_w / V): contacts of asperities weaken by flash heating (Rice 2006).
+// Flash heating of the contacts between asperities (Rice 2006):
+//   share = min(1, V_w / V).
 struct FlashHeatingLaw : RateWeakening<FlashHeatingLaw>
 {
   static constexpr char const* name = "Flash Heating";

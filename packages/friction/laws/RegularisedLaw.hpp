@@ -4,17 +4,23 @@
 
 namespace asperity::friction
 {
-// mu(V, alpha) = a asinh(V / (2 V_alpha)), Pipping 2014, (5): smooth, linear far below V_alpha,
-// a log(V / V_alpha) far above. Host and device; V >= 0 in m/s, any alpha.
+// The regularised law (Rice & Ben-Zion 1996; Pipping 2014, equation 5),
+//
+//   mu(V, alpha) = a asinh(V / (2 V_alpha)),
+//
+// with the slip rate V >= 0 [m/s], the state alpha [-], and a [-] and V_alpha [m/s] of
+// DirectEffect. It is smooth, linear in V far below V_alpha, and a ln(V / V_alpha) far above. Host
+// and device; alpha may have any value.
 struct RegularisedLaw : DirectEffect
 {
   static constexpr char const* name = "Regularised";
 
-  // The law at one state, a function of the slip rate alone. z = V / (2 V_alpha) = exp(x) / 2.
+  // The law at one state, a function of the slip rate alone: mu(V) = a asinh(z) with
+  // z = V / (2 V_alpha) = exp(x) / 2 and x(V) = ln(V / V_alpha).
   struct Curve
   {
     double a;
-    double shift;
+    double shift; // -ln(V_alpha s/m)
 
     KOKKOS_INLINE_FUNCTION double logRatio(double V) const { return math::log(V) + shift; }
 
@@ -52,11 +58,12 @@ struct RegularisedLaw : DirectEffect
       return {a * math::asinh(z), a * z / root, a * z / (root * (1 + z * z))};
     }
 
-    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Multiplied by h it is the
-    // difference of mubar, accurate to the relative rounding of this difference.
+    // The average of mu between V and V + h, mu(V) for h = 0; V + h >= 0. Multiplied by h it is
+    // the difference of mubar, the integral of mu, accurate to the relative rounding of this
+    // difference.
     KOKKOS_INLINE_FUNCTION double mean(double V, double h) const;
 
-    // The sum of the magnitudes of the terms of mu, including log V and shift, which may nearly
+    // The sum of the magnitudes of the terms of mu, including ln V and shift, which may nearly
     // cancel; V > 0. Times the rounding unit it is the size of the errors of mu and mean.
     KOKKOS_INLINE_FUNCTION double terms(double V) const
     {
@@ -78,10 +85,14 @@ struct RegularisedLaw : DirectEffect
   }
 };
 
-// With s = sqrt(1 + z^2) and integration by parts from the lower end,
+// V0 < V1 are the two ends, h = V1 - V0, z0 and z1 the values of z there, and s = sqrt(1 + z^2).
+// Integration by parts gives
+//
 //   mean / a = asinh z0 + (V1 / h) (asinh z1 - asinh z0) - (z0 + z1) / (s0 + s1),
 //   asinh z1 - asinh z0 = asinh((z1^2 - z0^2) / (z1 s0 + z0 s1)).
-// The cancellation between the last two terms is never large compared with the first term.
+//
+// What the last two terms of the first line lose by cancellation is never large compared with its
+// first term.
 KOKKOS_INLINE_FUNCTION double RegularisedLaw::Curve::mean(double V, double h) const
 {
   const double low = detail::larger(detail::smaller(V, V + h), 0);

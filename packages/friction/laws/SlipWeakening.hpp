@@ -6,9 +6,14 @@
 
 namespace asperity::friction
 {
-// Coulomb friction that falls with slip (Ida 1972): mu = mu_s - (mu_s - mu_d) alpha, independent of
-// V > 0, with the share alpha = min(slip / d_c, 1) of the weakening that SlipWeakeningState has. At
-// V = 0 the fault bears any shear stress up to mu sigma_n. Host and device.
+// Coulomb friction that falls linearly with slip (Ida 1972),
+//
+//   mu(alpha) = mu_s - (mu_s - mu_d) alpha,  alpha = min(slip / d_c, 1),
+//
+// with the static and the dynamic friction mu_s and mu_d [-] and the slip-weakening distance d_c
+// [m]. The state alpha [-] is the share of the weakening so far (SlipWeakeningState). mu does not
+// depend on the slip rate V > 0; at V = 0 the fault bears any shear stress up to mu sigma_n, with
+// the normal stress sigma_n. Host and device.
 struct SlipWeakeningLaw
 {
   static constexpr char const* name = "Slip Weakening";
@@ -34,6 +39,7 @@ struct SlipWeakeningLaw
   {
     double level; // mu
 
+    // The friction that the fault bears at V = 0.
     KOKKOS_INLINE_FUNCTION double onset() const { return level; }
     KOKKOS_INLINE_FUNCTION double mu(double) const { return level; }
     KOKKOS_INLINE_FUNCTION double derivative(double) const { return 0; }
@@ -48,7 +54,7 @@ struct SlipWeakeningLaw
     return {static_friction + (dynamic_friction - static_friction) * share};
   }
 
-  // The alpha at which mu(V, alpha) = mu; not a finite number unless mu lies between mu_s and mu_d.
+  // The alpha at which mu(alpha) = mu; infinite unless mu lies between mu_s and mu_d.
   KOKKOS_INLINE_FUNCTION double stateFor(double, double mu) const
   {
     const double alpha = (static_friction - mu) / (static_friction - dynamic_friction);
@@ -56,7 +62,8 @@ struct SlipWeakeningLaw
   }
 };
 
-// d(alpha)/dt = V / d_c until alpha = 1, where it stays. Host and device; V >= 0 in m/s.
+// The state of slip weakening: d(alpha)/dt = V / d_c while alpha < 1, and 0 from then on, with the
+// slip rate V >= 0 [m/s] and the slip-weakening distance d_c [m]. Host and device.
 struct SlipWeakeningState
 {
   static constexpr char const* name = "Slip Weakening";
@@ -74,17 +81,19 @@ struct SlipWeakeningState
 
   double slipDistance() const { return distance; }
 
+  // d(alpha)/dt in 1/s.
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const
   {
     return alpha < 1 ? V / distance : 0;
   }
 
+  // alpha after the time dt >= 0 [s] at constant V. A value above 1 at the start stays.
   KOKKOS_INLINE_FUNCTION double flow(double V, double dt, double alpha0) const
   {
     return detail::larger(alpha0, detail::smaller(alpha0 + V * dt / distance, 1));
   }
 
-  // Slip alone decides, so that no slip rate has one.
+  // Infinite: there is no steady state, since alpha depends on slip and not on V.
   KOKKOS_INLINE_FUNCTION double steadyState(double) const { return infinity; }
 };
 } // namespace asperity::friction

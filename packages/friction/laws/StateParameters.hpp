@@ -6,13 +6,13 @@
 
 namespace asperity::friction
 {
-// The parameters of the ageing and the slip law, and what these say of them.
+// The parameters that the ageing and the slip law share, and the properties that follow from them.
 struct StateParameters
 {
   double slip_distance;      // L, m
   double reference_rate;     // V*, m/s
-  double stress_sensitivity; // c
-  double log_reference_rate; // log(V* s/m)
+  double stress_sensitivity; // c, dimensionless (Linker & Dieterich 1992)
+  double log_reference_rate; // ln(V* s/m)
 
   static constexpr ParameterOf<StateParameters> parameters[] = {
     {&StateParameters::slip_distance, parameter::slip_distance},
@@ -30,7 +30,7 @@ struct StateParameters
   double thetaScale() const { return slip_distance / reference_rate; }
   double stressSensitivity() const { return stress_sensitivity; }
 
-  // log(V / V*), without the underflow of the ratio; -infinity at V = 0.
+  // ln(V / V*), without the underflow of the ratio; -infinity at V = 0.
   KOKKOS_INLINE_FUNCTION double logRatio(double V) const
   {
     return math::log(V) - log_reference_rate;

@@ -5,8 +5,9 @@
 
 namespace asperity::friction
 {
-// Steady friction from a table, f_ss > 0 by log10(V s/m). Friction still increases with V at a
-// given state, whatever the table. Host and device; V >= 0 in m/s.
+// The state law (SteadyFriction) whose steady friction f_ss > 0 [-] comes from a table: a function
+// of log10(V s/m), where V >= 0 is the slip rate [m/s]. At a given state friction increases with V
+// whatever the table, since the friction law is the regularised one. Host and device.
 struct TabulatedLaw : SteadyFriction<TabulatedLaw>
 {
   static constexpr char const* name = "Tabulated";
@@ -18,8 +19,9 @@ struct TabulatedLaw : SteadyFriction<TabulatedLaw>
     {&SteadyFriction::reference_friction, parameter::reference_friction},
   };
 
-  Table table = {}; // given by LawStateKernels
+  Table table = {}; // set by LawStateKernels
 
+  // The alpha [-] at which friction at V is f_ss(V).
   KOKKOS_INLINE_FUNCTION double steadyState(double V) const
   {
     constexpr double log10_of_e = 0.43429448190325182765;
