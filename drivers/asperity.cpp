@@ -13,65 +13,67 @@
 
 #include <iostream>
 
+using namespace asperity;
+using namespace asperity::scenario;
+
 namespace
 {
-int runDeck(asperity::CommandLine const& command_line,
-            asperity::RCP<const asperity::Communicator> const& communicator)
-try {
-  // 3. Read the deck.
-  auto const deck = asperity::scenario::readCompleteDeck(command_line);
-  if (command_line.validate) {
-    auto const description = asperity::scenario::validateDeck(deck, command_line, communicator);
-    if (communicator->getRank() == 0) {
-      asperity::scenario::print(description, std::cout);
-      std::cout << command_line.deck << " is valid.\n";
-    }
-    return asperity::exit_done;
+// Prints on one rank. Returns the status of a program that has nothing else to do.
+template <class Print>
+int printOnce(Communicator const& communicator, Print const& print)
+{
+  if (communicator.getRank() == 0) {
+    print(std::cout);
   }
-  // 4. Run it; it prints its own report.
-  return asperity::scenario::runDeck(deck, command_line, communicator);
-} catch (asperity::InputError const& error) { // adds numbers of the deck that are probably mistakes
-  throw asperity::InputError(error.what() +
-                             asperity::scenario::remarkOnLargeValues(command_line, error.what()));
+  return exit_done;
+}
+
+int readAndRun(CommandLine const& line, RCP<const Communicator> const& communicator)
+try {
+  auto const deck = readCompleteDeck(line);
+  if (!line.validate) {
+    return runDeck(deck, line, communicator);
+  }
+  auto const description = validateDeck(deck, line, communicator);
+  return printOnce(*communicator, [&](std::ostream& out) {
+    print(description, out);
+    out << line.deck << " is valid.\n";
+  });
+} catch (InputError const& error) { // adds numbers of the deck that are probably mistakes
+  throw InputError(error.what() + remarkOnLargeValues(line, error.what()));
+}
+
+int start(int argc, char** argv, RCP<const Communicator> const& communicator)
+{
+  // 1. Parse the command line.
+  auto line = parseCommandLine(argc, argv);
+  if (line.help) {
+    return printOnce(*communicator, printHelp);
+  }
+  if (line.version) {
+    return printOnce(*communicator, [&](auto& out) { printEnvironment(*communicator, out); });
+  }
+  // 2. Load plugins, whose laws and outputs have parameters of a deck, too.
+  loadPlugins(line.plugins, registrations);
+  if (line.print_parameters) {
+    return printOnce(*communicator,
+                     [&](auto& out) { printParameters(*deckParameters(), out, line.format); });
+  }
+  // 3. Read the deck, which a restart finds in the directory of its run, and run it.
+  completeRestart(line);
+  return readAndRun(line, communicator);
 }
 
 #ifdef __ELF__
 // Before the constructors of the libraries, which may replace nohup's handlers (Signals.hpp).
 using Start = void (*)(int, char**, char**);
-[[gnu::section(".preinit_array"), gnu::used]] const Start at_start = asperity::noteIgnoredSignals;
+[[gnu::section(".preinit_array"), gnu::used]] const Start at_start = noteIgnoredSignals;
 #endif
 } // namespace
 
 int main(int argc, char** argv)
 {
-  // 1. Start MPI and Kokkos.
-  asperity::MpiScope parallel(argc, argv);
+  MpiScope parallel(argc, argv); // starts MPI and Kokkos
   auto const& communicator = parallel.communicator();
-  return asperity::runGuarded(*communicator, [&] {
-    // 2. Read the command line.
-    auto command_line = asperity::parseCommandLine(argc, argv);
-    const bool is_root = communicator->getRank() == 0;
-    if (command_line.help) {
-      if (is_root) {
-        asperity::printHelp(std::cout);
-      }
-      return int(asperity::exit_done);
-    }
-    if (command_line.version) {
-      if (is_root) {
-        asperity::scenario::printEnvironment(*communicator, std::cout);
-      }
-      return int(asperity::exit_done);
-    }
-    asperity::loadPlugins(command_line.plugins, asperity::scenario::registrations);
-    if (command_line.print_parameters) {
-      if (is_root) {
-        asperity::printParameters(*asperity::scenario::deckParameters(), std::cout,
-                                  command_line.format);
-      }
-      return int(asperity::exit_done);
-    }
-    asperity::completeRestart(command_line);
-    return runDeck(command_line, communicator);
-  });
+  return runGuarded(*communicator, [&] { return start(argc, argv, communicator); });
 }
