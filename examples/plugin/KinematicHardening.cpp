@@ -18,10 +18,10 @@ struct KinematicHardening
 
   static constexpr ParameterOf<KinematicHardening> parameters[] = {
     {&KinematicHardening::strength,
-     {"Elastic Range", "Pa", no_default, 0, infinity, false, false,
+     {"Elastic Range", "Pa", no_default, Bounds::positive(),
       "The rock is elastic while its shear stress is within this of the back stress."}},
     {&KinematicHardening::modulus,
-     {"Hardening Modulus", "Pa", no_default, 0, infinity, false, false,
+     {"Hardening Modulus", "Pa", no_default, Bounds::positive(),
       "The back stress moves by this for each unit of inelastic shear strain."}}};
 
   struct History

@@ -16,10 +16,10 @@ struct StandardLinearSolid
 
   static constexpr ParameterOf<StandardLinearSolid> parameters[] = {
     {&StandardLinearSolid::share,
-     {"Relaxing Share", "-", no_default, 0, 1, true, true,
+     {"Relaxing Share", "-", no_default, Bounds::closed(0, 1),
       "This share of the shear modulus relaxes."}},
     {&StandardLinearSolid::time,
-     {"Relaxation Time", "s", no_default, 0, infinity, false, false,
+     {"Relaxation Time", "s", no_default, Bounds::positive(),
       "Its stress falls to 1/e within this time at constant strain."}}};
 
   std::vector<fem::RelaxingShare> relaxation(fem::Material const&) const { return {{share, time}}; }

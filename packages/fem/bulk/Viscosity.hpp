@@ -8,11 +8,11 @@ namespace asperity::fem
 namespace parameter
 {
 inline constexpr Parameter shear_viscosity = {
-  "Shear Viscosity", "Pa s", 0,     0,
-  infinity,          true,   false, "This viscosity resists changes of shape (Kelvin-Voigt)."};
+  "Shear Viscosity", "Pa s", 0, Bounds::atLeast(0),
+  "This viscosity resists changes of shape (Kelvin-Voigt)."};
 inline constexpr Parameter bulk_viscosity = {
-  "Bulk Viscosity", "Pa s", 0,     0,
-  infinity,         true,   false, "This viscosity resists changes of volume (Kelvin-Voigt)."};
+  "Bulk Viscosity", "Pa s", 0, Bounds::atLeast(0),
+  "This viscosity resists changes of volume (Kelvin-Voigt)."};
 } // namespace parameter
 
 // The dashpot parallel to the spring of a law (Kelvin and Voigt), which damps waves.

@@ -4,9 +4,9 @@ namespace asperity::scenario
 {
 namespace
 {
-Range rangeOf(Parameter const& parameter)
+Range rangeOf(Bounds const& bounds)
 {
-  return {parameter.lower, parameter.lower_closed, parameter.upper, parameter.upper_closed};
+  return {bounds.lower(), bounds.hasLower(), bounds.upper(), bounds.hasUpper()};
 }
 } // namespace
 
@@ -15,7 +15,8 @@ Declare declareTable(ParameterTable const& table)
   Declare declare;
   for (auto const& parameter : table) {
     auto const declareWith = [&](DefaultOr<FieldValue> const& value) {
-      declare.field(parameter.name, value, parameter.unit, rangeOf(parameter), parameter.meaning)
+      declare
+        .field(parameter.name, value, parameter.unit, rangeOf(parameter.bounds), parameter.meaning)
         .hint(parameter.hint);
     };
     if (parameter.required()) {

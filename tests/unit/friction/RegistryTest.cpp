@@ -51,13 +51,13 @@ TEST(Registry, HasATableOfParametersForEachLaw)
   }
   auto const& a = frictionLaws().at("Truncated").parameters[0];
   EXPECT_TRUE(a.required());
-  EXPECT_EQ(a.lower, 0);
-  EXPECT_FALSE(a.lower_closed);
+  EXPECT_EQ(a.bounds.lower(), 0);
+  EXPECT_FALSE(a.bounds.hasLower());
   auto const& b = frictionLaws().at("Truncated").parameters[1];
-  EXPECT_EQ(b.lower, 0);
-  EXPECT_TRUE(b.lower_closed);
-  EXPECT_EQ(b.upper, std::numeric_limits<double>::infinity());
-  EXPECT_FALSE(b.upper_closed);
+  EXPECT_EQ(b.bounds.lower(), 0);
+  EXPECT_TRUE(b.bounds.hasLower());
+  EXPECT_EQ(b.bounds.upper(), std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(b.bounds.hasUpper());
 }
 
 TEST(Registry, KnowsWhatTheLawsSayOfThemselves)

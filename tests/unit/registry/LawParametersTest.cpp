@@ -22,9 +22,9 @@ struct SampleLaw : Base
   double angle, half_angle, strength;
 
   static constexpr ParameterOf<SampleLaw> parameters[] = {
-    {&SampleLaw::strength, {"Strength", "Pa", 1, 0, infinity, true, false, "."}},
-    {&SampleLaw::stiffness, {"Stiffness", "Pa", 2, 0, infinity, true, false, "."}},
-    {&SampleLaw::angle, {"Angle", "deg", 3, 0, infinity, true, false, "."}}};
+    {&SampleLaw::strength, {"Strength", "Pa", 1, Bounds::atLeast(0), "."}},
+    {&SampleLaw::stiffness, {"Stiffness", "Pa", 2, Bounds::atLeast(0), "."}},
+    {&SampleLaw::angle, {"Angle", "deg", 3, Bounds::atLeast(0), "."}}};
 
   KOKKOS_INLINE_FUNCTION void prepare() { half_angle = angle / 2; }
 };
@@ -44,16 +44,16 @@ struct OtherBase
 struct TwoBases : Base, OtherBase
 {
   static constexpr ParameterOf<TwoBases> parameters[] = {
-    {&TwoBases::stiffness, {"Stiffness", "Pa", 2, 0, infinity, true, false, "."}},
-    {&TwoBases::weight, {"Weight", "kg", 3, 0, infinity, true, false, "."}}};
+    {&TwoBases::stiffness, {"Stiffness", "Pa", 2, Bounds::atLeast(0), "."}},
+    {&TwoBases::weight, {"Weight", "kg", 3, Bounds::atLeast(0), "."}}};
 };
 
 // Two parameters, one member.
 struct Twice : Base
 {
   static constexpr ParameterOf<Twice> parameters[] = {
-    {&Twice::stiffness, {"Stiffness", "Pa", 2, 0, infinity, true, false, "."}},
-    {&Twice::stiffness, {"Weight", "kg", 3, 0, infinity, true, false, "."}}};
+    {&Twice::stiffness, {"Stiffness", "Pa", 2, Bounds::atLeast(0), "."}},
+    {&Twice::stiffness, {"Weight", "kg", 3, Bounds::atLeast(0), "."}}};
 };
 
 TEST(LawParameters, GoToTheMembersThatTheTableNames)
