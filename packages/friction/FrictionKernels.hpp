@@ -1,6 +1,7 @@
 #pragma once
 
 #include "friction/Types.hpp"
+#include "portability/DenseSystem.hpp"
 
 namespace asperity::friction
 {
@@ -50,7 +51,7 @@ public:
   // A sweep of Gauss-Seidel in one launch: for each node i of `nodes`, one after the other,
   // minimises as above with the force r_i + curvature_i v_i, zero in held components, and subtracts
   // Z times the change of v_i from r, so that r remains b - Z v.
-  virtual int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
+  virtual int sweep(IndexView const& nodes, DenseSystem const& coupled, StateAndStress const& at,
                     BlockView const& v) const = 0;
 
   // Gradient [N] and Hessian [N s/m] of psi_i at v_i. kinked_i = 1 where psi_i has no second

@@ -24,17 +24,6 @@ using BlockView = Kokkos::View<double**, Kokkos::LayoutRight, MemorySpace>; // (
 using ConstBlockView = Kokkos::View<const double**, Kokkos::LayoutRight, MemorySpace>;
 using HessianView = Kokkos::View<double***, Kokkos::LayoutRight, MemorySpace>; // (num_nodes, T, T)
 
-// The linear part of a rate problem in which each node is coupled with each: Z, and the force
-// r = b - Z v of the present v. The rows and columns of Z are the T components of node 0, then
-// those of node 1, and so on.
-struct CoupledNodes
-{
-  ConstBlockView Z;        // (num_nodes T, num_nodes T), symmetric, N s/m
-  BlockView r;             // (num_nodes, T), N
-  ConstFlagView held;      // (num_nodes T): 1 where the force does not count
-  ConstNodeView curvature; // (num_nodes), > 0, N s/m
-};
-
 // A copy where kernels run. Labels have the form "asperity::package::name".
 template <class T>
 Kokkos::View<T*, MemorySpace> toDevice(std::vector<T> const& values, std::string const& label)

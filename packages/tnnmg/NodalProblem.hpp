@@ -1,5 +1,6 @@
 #pragma once
 
+#include "portability/DenseSystem.hpp"
 #include "tnnmg/NonlinearNodes.hpp"
 
 #include <limits>
@@ -33,7 +34,7 @@ public:
                        ConstBlockView const& r, BlockView const& v) const = 0;
   // The same for the given nodes one after the other, with the force r_i + curvature_i v_i, zero in
   // held components. r = b - Z v is kept up to date.
-  virtual int sweep(IndexView const& nodes, CoupledNodes const& system,
+  virtual int sweep(IndexView const& nodes, DenseSystem const& system,
                     BlockView const& v) const = 0;
   // Gradient and Hessian of psi_i at v_i; kinked_i = 1 where psi_i has no second derivative.
   virtual void linearise(ConstBlockView const& v, BlockView const& gradient,

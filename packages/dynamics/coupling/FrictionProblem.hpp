@@ -29,7 +29,7 @@ public:
   {
     return kernels_.minimise(nodes, curvature, r, at_, v);
   }
-  int sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const override
+  int sweep(IndexView const& nodes, DenseSystem const& system, BlockView const& v) const override
   {
     return kernels_.sweep(nodes, system, at_, v);
   }

@@ -30,7 +30,7 @@ public:
     });
   }
 
-  int sweep(IndexView const& nodes, CoupledNodes const& coupled, StateAndStress const& at,
+  int sweep(IndexView const& nodes, DenseSystem const& coupled, StateAndStress const& at,
             BlockView const& v) const override
   {
     static const std::string label = "asperity::friction::sweep";

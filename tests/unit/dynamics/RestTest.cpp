@@ -88,7 +88,7 @@ struct BeyondTheMinimum : FrictionProblem
   {
   }
 
-  int sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const override
+  int sweep(IndexView const& nodes, DenseSystem const& system, BlockView const& v) const override
   {
     const int failed = FrictionProblem::sweep(nodes, system, v);
     const double excess = part;

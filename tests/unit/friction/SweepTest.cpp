@@ -107,8 +107,8 @@ TEST(Sweep, MinimisesNodeByNode)
         }
 
         const auto v = toDevice(start);
-        const CoupledNodes coupled{toDevice(system.Z), toDevice(system.residual(start)),
-                                   flags(system.held), curvature};
+        const DenseSystem coupled{toDevice(system.Z), toDevice(system.residual(start)),
+                                  flags(system.held), curvature};
         EXPECT_EQ(fault.kernels->sweep(allNodes(num_nodes), coupled, fault.at, v), 0);
         const auto found = onHost(v);
         const auto left = onHost(coupled.r);
@@ -134,8 +134,8 @@ TEST(Sweep, VisitsTheNodesGivenAndCountsFailures)
   system.curvature[5] = 0; // without a minimiser
   const std::vector<Values> start(num_nodes, Values{0.5});
   const auto v = toDevice(start);
-  const CoupledNodes coupled{toDevice(system.Z), toDevice(system.residual(start)),
-                             flags(system.held), toDevice(system.curvature)};
+  const DenseSystem coupled{toDevice(system.Z), toDevice(system.residual(start)),
+                            flags(system.held), toDevice(system.curvature)};
   EXPECT_EQ(fault.kernels->sweep(flags({2, 5, 9}), coupled, fault.at, v), 1);
   const auto found = onHost(v);
   for (int node = 0; node < num_nodes; ++node) {

@@ -110,7 +110,7 @@ int RoughNodes::minimise(IndexView const& nodes, ConstNodeView const& curvature,
   return 0;
 }
 
-int RoughNodes::sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const
+int RoughNodes::sweep(IndexView const& nodes, DenseSystem const& system, BlockView const& v) const
 {
   auto const which = toHost(nodes);
   auto const Z = toHost(system.Z);

@@ -31,7 +31,7 @@ public:
 
   int minimise(IndexView const& nodes, ConstNodeView const& curvature, ConstBlockView const& r,
                BlockView const& v) const override;
-  int sweep(IndexView const& nodes, CoupledNodes const& system, BlockView const& v) const override;
+  int sweep(IndexView const& nodes, DenseSystem const& system, BlockView const& v) const override;
   void linearise(ConstBlockView const& v, BlockView const& gradient, HessianView const& hessian,
                  FlagView const& kinked) const override;
   double slope(ConstBlockView const& v, ConstBlockView const& d, double t) const override;
