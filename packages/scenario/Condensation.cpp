@@ -1,7 +1,5 @@
 #include "scenario/Condensation.hpp"
 
-#include "scenario/setup/SolverSetup.hpp"
-
 #include <algorithm>
 
 namespace asperity::scenario
@@ -24,11 +22,10 @@ bool boundariesMoveSteadily(Problem<Dim> const& problem)
 } // namespace
 
 template <int Dim>
-std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> const& problem,
-                                                               ParameterList const& deck)
+std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> const& problem)
 {
-  const bool is_wanted =
-    mayCondense(deck.sublist("TNNMG")) && problem.solver.correction == dynamics::Correction::direct;
+  const bool is_wanted = problem.settings.solver.may_condense &&
+                         problem.solver.correction == dynamics::Correction::direct;
   if (!is_wanted || problem.surface().numGlobalNodes() == 0 ||
       !problem.discretisation.boundary.tractions.empty() ||
       !problem.discretisation.boundary.resistances.empty() || problem.model.body.cells ||
@@ -38,8 +35,6 @@ std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> cons
   return dynamics::StaticCondensation::make(problem.model);
 }
 
-template std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<2> const&,
-                                                                        ParameterList const&);
-template std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<3> const&,
-                                                                        ParameterList const&);
+template std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<2> const&);
+template std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<3> const&);
 } // namespace asperity::scenario

@@ -11,6 +11,5 @@ namespace asperity::scenario
 // where the deck switches it off (TNNMG / Static Condensation): the steps then solve the problem
 // itself. `problem` must outlive the result.
 template <int Dim>
-std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> const& problem,
-                                                               ParameterList const& deck);
+std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> const& problem);
 } // namespace asperity::scenario

@@ -1,9 +1,9 @@
 #include "scenario/DeckDefaults.hpp"
 
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
-#include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <string>
 

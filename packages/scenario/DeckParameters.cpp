@@ -5,13 +5,13 @@
 #include "io/OutputSet.hpp"
 #include "scenario/deck/Names.hpp"
 #include "scenario/problem/InitialState.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/CheckpointSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 namespace asperity::scenario
 {

@@ -76,8 +76,8 @@ std::set<std::string> pathsOf(std::vector<UnreadEntry> const& entries)
   return paths;
 }
 
-// Takes out what has the same text in a deck `before` more was applied, `given`, unless it was
-// unread there already.
+// Takes out of `unread` the entries that have the same text in `before`, the deck without overlays
+// and overrides, and in `given`, the deck with them, unless they were unread in `before`, too.
 void removeFormer(ParameterList const& before, ParameterList const& given,
                   std::set<std::string> const& unread_before, std::vector<UnreadEntry>& unread)
 {

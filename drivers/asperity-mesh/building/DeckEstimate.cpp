@@ -11,14 +11,13 @@
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/report/ResolutionCheck.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/RockSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
+#include "scenario/setup/rock/RockSetup.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <cmath>
@@ -159,8 +158,8 @@ void reportSize(ParameterList const& deck, CellEstimate const& cells, std::ostre
 {
   const double refined = std::pow(8, deck.sublist("Mesh").get<int>("Refinements"));
   const double unknowns = components * refined * (cells.vertices + cells.fault_facets / 2);
-  const auto solver =
-    scenario::makeSolverSettings(deck.sublist("TNNMG"), 1, 3, static_cast<long long>(unknowns));
+  const auto solver = scenario::makeSolverSettings(
+    scenario::SolverSettings::from(deck.sublist("TNNMG")), 1, 3, static_cast<long long>(unknowns));
   out << "about " << about(unknowns) << " unknowns; ";
   if (solver.correction == dynamics::Correction::direct) {
     out << "the factors of the direct correction take the memory\n";

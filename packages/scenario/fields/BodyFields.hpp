@@ -6,7 +6,7 @@
 
 namespace asperity::scenario
 {
-// All of these: problem, view and domain must outlive the registry.
+// For all functions of this file, problem, view and domain must outlive the registry.
 
 // Registers displacement, velocity and acceleration, along the axes, at the vertices of a domain.
 template <int Dim>

@@ -14,7 +14,7 @@ using Values = std::vector<double>;
 
 using dynamics::FaultSample;
 
-// What decks say about friction, of which fields follow.
+// The choices of a deck on which it depends which fields a fault has.
 struct GivenFriction
 {
   bool has_state, has_normal_stress;

@@ -9,8 +9,9 @@
 
 namespace asperity::scenario
 {
-// Registers what flow and inelastic strain have moved (dynamics::LockedResponse), in the volume and
-// on the surface of a body that has them; with the lifetimes of registerFields.
+// Registers the displacement that viscous flow and inelastic strain have caused
+// (dynamics::LockedResponse), in the volume and on the surface of a body that has them. Problem,
+// view and domains must outlive the registry.
 template <int Dim>
 void registerLockedResponse(io::FieldRegistry& registry, Problem<Dim> const& problem,
                             RunView const& view, Domains const& domains);

@@ -5,8 +5,8 @@
 
 namespace asperity::scenario
 {
-// Registers the numbers of a whole run: effort of the solvers and energies. The view must outlive
-// the registry. dimension: of space.
+// Registers numbers of the whole model: the effort of the solvers and the energies. The view must
+// outlive the registry. dimension: of space.
 void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimension,
                      bool has_yielding_rock);
 } // namespace asperity::scenario

@@ -1,16 +1,20 @@
 #include "scenario/problem/DeckSettings.hpp"
 
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
+#include "scenario/setup/DeckDirections.hpp"
 
 namespace asperity::scenario
 {
 DeckSettings DeckSettings::from(ParameterList const& deck)
 {
-  DeckSettings settings;
-  settings.time = TimeSettings::from(deck.sublist("Time Stepping"));
-  settings.conditions = readConditions(deck.sublist("Boundary Conditions"));
-  settings.bulk = BulkSettings::from(deck.sublist("Bulk"));
-  settings.friction = FrictionSettings::from(deck.sublist("Friction"));
-  return settings;
+  DeckLists lists{deck.sublist("Mesh"), deck.sublist("Bulk"), deck.sublist("Friction"),
+                  deck.sublist("Initial State")};
+  return {TimeSettings::from(deck.sublist("Time Stepping")),
+          readConditions(deck.sublist("Boundary Conditions")),
+          BulkSettings::from(lists.bulk),
+          FrictionSettings::from(lists.friction),
+          InitialSettings::from(lists.initial),
+          SolverSettings::from(deck.sublist("TNNMG")),
+          givenUp(deck.sublist("Output")),
+          lists};
 }
 } // namespace asperity::scenario

@@ -5,14 +5,14 @@
 #include "fem/BoundaryMeasure.hpp"
 #include "mesh/Boundaries.hpp"
 #include "parameters/ParameterValue.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/VolumetricSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/conditions/FreeFault.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
+#include "scenario/setup/rock/VolumetricSetup.hpp"
 
 #include <limits>
 #include <set>
@@ -56,7 +56,7 @@ FreeSurface openBoundaries(std::vector<BoundaryCondition> const& conditions, Mes
 } // namespace
 
 template <int Dim>
-Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& settings,
+Discretisation<Dim> discretise(DeckSettings const& settings,
                                RCP<const Communicator> const& communicator)
 {
   auto const& conditions = settings.conditions;
@@ -65,12 +65,12 @@ Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& se
   auto boundary = makeBoundaryConditions<Dim>(conditions, components);
   auto kinds = faultKinds();
   kinds.push_back(continuationType().name);
-  ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(deck.sublist("Friction")),
+  ASPERITY_REQUIRE(!boundary.faults.empty() || !hasGivenEntry(settings.lists.friction),
                    "Asperity / Friction has no effect: Asperity / Boundary Conditions has no "
                    "condition of Type "
                      << quotedAlternatives(kinds)
                      << ". Name the boundary that is the fault, or remove the list.");
-  auto mesh = makeMesh<Dim>(deck.sublist("Mesh"),
+  auto mesh = makeMesh<Dim>(settings.lists.mesh,
                             boundary.faults.empty() ? "" : boundary.faults.front(), communicator);
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
@@ -81,11 +81,11 @@ Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& se
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }
-  auto const& bulk = deck.sublist("Bulk");
+  auto const& bulk = settings.lists.bulk;
   auto rock = makeRock(settings.bulk, bulk, mesh, *communicator);
   auto patches = makePatches(settings.bulk, bulk, boundary.faults, mesh, rock, *communicator);
   auto upright = uprightOf(
-    settings.bulk, deck.sublist("Output"), Dim,
+    settings.bulk, settings.up, Dim,
     {boundary.free_surfaces, fem::integrateNormal(mesh, boundary.free_surfaces, *communicator)},
     openBoundaries(conditions, mesh, *communicator));
   auto fault_boundary = mesh::joinBoundaries(mesh, boundary.faults); // the mesh is complete
@@ -100,8 +100,6 @@ Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& se
           std::move(upright)};
 }
 
-template Discretisation<2> discretise(ParameterList const&, DeckSettings const&,
-                                      RCP<const Communicator> const&);
-template Discretisation<3> discretise(ParameterList const&, DeckSettings const&,
-                                      RCP<const Communicator> const&);
+template Discretisation<2> discretise(DeckSettings const&, RCP<const Communicator> const&);
+template Discretisation<3> discretise(DeckSettings const&, RCP<const Communicator> const&);
 } // namespace asperity::scenario

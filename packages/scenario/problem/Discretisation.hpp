@@ -5,9 +5,9 @@
 #include "fem/dofs/DofMap.hpp"
 #include "mesh/Mesh.hpp"
 #include "scenario/problem/DeckSettings.hpp"
-#include "scenario/setup/RockSetup.hpp"
-#include "scenario/setup/Upright.hpp"
+#include "scenario/problem/Upright.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/rock/RockSetup.hpp"
 
 #include <memory>
 #include <string>
@@ -33,9 +33,9 @@ struct Discretisation
   int components() const { return dofs->components(); } // of the displacement
 };
 
-// Reads mesh, boundary conditions and rock of a deck. Throws InputError on all ranks where they
-// contradict each other. Collective.
+// Makes or reads the mesh, and makes what follows from it. Throws InputError on all ranks where
+// mesh, boundary conditions and rock contradict each other. Collective.
 template <int Dim>
-Discretisation<Dim> discretise(ParameterList const& deck, DeckSettings const& settings,
+Discretisation<Dim> discretise(DeckSettings const& settings,
                                RCP<const Communicator> const& communicator);
 } // namespace asperity::scenario

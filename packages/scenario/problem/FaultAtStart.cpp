@@ -89,7 +89,7 @@ template <int Dim>
 NormalStressOfDeck makeNormalStress(SetupContext<Dim> const& context,
                                     std::vector<double> const& pressure)
 {
-  auto const& friction = context.friction();
+  auto const& friction = context.settings.lists.friction;
   auto const& nodes = context.site.nodes;
   const double factor = context.settings.friction.normal_stress_factor;
   auto const constant = [factor](std::vector<double> const& values) {
@@ -173,7 +173,7 @@ std::shared_ptr<const dynamics::FaultProcess> regularisation(SetupContext<Dim> c
   if (context.settings.friction.change != regularisation_list) {
     return nullptr;
   }
-  auto const& own = context.friction().sublist(regularisation_list);
+  auto const& own = context.settings.lists.friction.sublist(regularisation_list);
   auto const& nodes = context.site.nodes;
   auto const path = joinPath(friction_path, regularisation_list);
   ASPERITY_REQUIRE(isGiven(own, regularisation_slip) || isGiven(own, regularisation_time),
@@ -197,7 +197,7 @@ template <int Dim>
 FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> const& pressure)
 {
   auto const& settings = context.settings.friction;
-  auto const& list = context.friction();
+  auto const& list = context.settings.lists.friction;
   auto const& site = context.site;
   auto const& nodes = site.nodes;
   auto given = makeNormalStress(context, pressure);

@@ -11,11 +11,13 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr double slow = 0.1;           // of a seismic slip rate
-constexpr double seismic_rates = 20.;  // b sigma_n / Z in one, see FaultResolution::seismic_time
-constexpr double creep_front = 1e-6;   // [m/s], of slip that no earthquake makes
-constexpr double slowest_rate = 1e-12; // [m/s], between which and
-constexpr double fastest_rate = 10;    // steady friction may weaken
+constexpr double slow = 0.1;          // a slow slip rate, as a share of a seismic one
+constexpr double seismic_rates = 20.; // b sigma_n / Z, as a multiple of a seismic slip rate
+constexpr double creep_front = 1e-6;  // [m/s] of a front of slip without an earthquake
+// The slip rates between which steady friction is searched for weakening [m/s], and their number in
+// each decade.
+constexpr double slowest_rate = 1e-12;
+constexpr double fastest_rate = 10;
 constexpr double rates_per_decade = 16;
 
 // mu(V, alpha) with the same slip rate [m/s] at all nodes.
@@ -127,7 +129,8 @@ double barrierShare(fem::FaultSurface const& surface, dynamics::FrictionOfNodes 
   return sumOverRanks(barrier, *surface.communicator()) / surface.totalWeight();
 }
 
-// Where friction weakens somewhere, of that part and at a seismic slip rate.
+// Sets the front of slip to expect: at a seismic slip rate in the part that weakens with the slip
+// rate, or a creeping one if no part does.
 template <int Dim>
 void findFront(FaultScales& scales, SetupContext<Dim> const& context, dynamics::Fault const& fault,
                dynamics::State const& initial, dynamics::FrictionOfNodes const& friction)
@@ -179,8 +182,8 @@ FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const&
 {
   FaultScales scales;
   auto const of_nodes =
-    frictionOfNodes(context.settings.friction.laws, context.friction(), context.site.nodes, fault,
-                    fault.given(initial).sigma_n, driving);
+    frictionOfNodes(context.settings.friction.laws, context.settings.lists.friction,
+                    context.site.nodes, fault, fault.given(initial).sigma_n, driving);
   if (!of_nodes) {
     return scales;
   }

@@ -1,8 +1,8 @@
 #include "scenario/problem/FaultSite.hpp"
 
 #include "fem/BoundaryCells.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/FaultNodes.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 namespace asperity::scenario
 {
@@ -25,20 +25,18 @@ std::shared_ptr<const fem::FaultSurface> makeSurface(Discretisation<Dim> const& 
 } // namespace
 
 template <int Dim>
-FaultSite makeFaultSite(ParameterList const& deck, DeckSettings const& settings,
-                        Discretisation<Dim> const& discretisation, CrsGraph const& graph)
+FaultSite makeFaultSite(DeckSettings const& settings, Discretisation<Dim> const& discretisation,
+                        CrsGraph const& graph)
 {
   auto const& mesh = discretisation.mesh;
   auto surface = makeSurface(discretisation, graph);
   auto nodes = faultNodes(mesh, *surface);
   auto materials = fem::materialsAtNodes(mesh, *surface, discretisation.rock.materials);
   auto eta =
-    radiationDamping(settings.bulk, deck.sublist("Bulk"), nodes, surface->otherSide(), materials);
+    radiationDamping(settings.bulk, settings.lists.bulk, nodes, surface->otherSide(), materials);
   return {std::move(surface), std::move(nodes), std::move(materials), std::move(eta)};
 }
 
-template FaultSite makeFaultSite(ParameterList const&, DeckSettings const&,
-                                 Discretisation<2> const&, CrsGraph const&);
-template FaultSite makeFaultSite(ParameterList const&, DeckSettings const&,
-                                 Discretisation<3> const&, CrsGraph const&);
+template FaultSite makeFaultSite(DeckSettings const&, Discretisation<2> const&, CrsGraph const&);
+template FaultSite makeFaultSite(DeckSettings const&, Discretisation<3> const&, CrsGraph const&);
 } // namespace asperity::scenario

@@ -3,7 +3,6 @@
 #include "base/Types.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/bulk/Material.hpp"
-#include "parameters/Parameters.hpp"
 #include "scenario/problem/DeckSettings.hpp"
 #include "scenario/problem/Discretisation.hpp"
 #include "scenario/setup/NodalField.hpp"
@@ -25,6 +24,6 @@ struct FaultSite
 // graph: of the body's matrices, by which nodes of the fault are coloured. The discretisation has
 // to outlive the result. InputError on all ranks where the deck's fault has no sense. Collective.
 template <int Dim>
-FaultSite makeFaultSite(ParameterList const& deck, DeckSettings const& settings,
-                        Discretisation<Dim> const& discretisation, CrsGraph const& graph);
+FaultSite makeFaultSite(DeckSettings const& settings, Discretisation<Dim> const& discretisation,
+                        CrsGraph const& graph);
 } // namespace asperity::scenario

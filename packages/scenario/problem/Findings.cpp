@@ -6,11 +6,11 @@
 #include "dynamics/checks/PlausibleValues.hpp"
 #include "fem/motions/BodyPieces.hpp"
 #include "scenario/problem/InitialState.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/StressAtStart.hpp"
-#include "scenario/setup/VolumetricSetup.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
+#include "scenario/setup/rock/StressAtStart.hpp"
+#include "scenario/setup/rock/VolumetricSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -64,7 +64,7 @@ std::optional<Warning> warnOfContrast(SetupContext<Dim> const& context)
 {
   auto const& mesh = context.discretisation.mesh;
   auto const& surface = *context.site.surface;
-  ParameterList const& bulk = context.deck.sublist("Bulk");
+  auto const& bulk = context.settings.lists.bulk;
   if (!surface.otherSide().is_inside || context.settings.bulk.isQuasiDynamic() ||
       !context.settings.friction.followsAtOnce()) {
     return std::nullopt;
@@ -87,8 +87,7 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
                     ShearTraction const& traction, StaticStart const& start,
                     std::vector<Warning> const& of_stress)
 {
-  ParameterList const& deck = context.deck;
-  auto const& friction = context.friction();
+  auto const& friction = context.settings.lists.friction;
   auto const& mesh = context.discretisation.mesh;
   auto const& rock = context.discretisation.rock;
   auto const& site = context.site;
@@ -117,13 +116,12 @@ Findings findingsOf(SetupContext<Dim> const& context, dynamics::Model const& mod
   std::optional<Warning> of_rock;
   // A static displacement has stress of its own.
   if (rock.yielding && !(start.displacement->normInf() > 0)) {
-    of_rock = warnOfStressAtStart(deck, context.components(), mesh, *rock.yielding, site.nodes,
-                                  *site.surface, traction.at(0));
+    of_rock = warnOfStressAtStart(context.settings.lists.bulk, friction, context.components(), mesh,
+                                  *rock.yielding, site.nodes, *site.surface, traction.at(0));
   }
   for (auto const& warning :
        {of_rock, warnOfUp(context.settings.bulk, Dim, context.discretisation.upright),
-        warnOfContrast(context),
-        warnOfVelocity(context.settings.bulk, deck, mesh, *site.surface)}) {
+        warnOfContrast(context), warnOfVelocity(context)}) {
     if (warning) {
       warnings.push_back(*warning);
     }

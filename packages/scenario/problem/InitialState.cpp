@@ -5,12 +5,9 @@
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/InitialState.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
-#include "parameters/Entries.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/FaultNodes.hpp"
+#include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/NodalField.hpp"
-#include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -21,65 +18,6 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr std::array<char const*, 3> velocity_names = {"Velocity X", "Velocity Y", "Velocity Z"};
-
-struct InitialChoices
-{
-  bool is_static = true;   // the displacement
-  bool is_balanced = true; // the acceleration
-  dynamics::AlphaAtStart alpha = dynamics::AlphaAtStart::given;
-};
-
-Entries<InitialChoices> initialEntries()
-{
-  using S = InitialChoices;
-  using dynamics::AlphaAtStart;
-  Entries<S> entries;
-  entries
-    .choice("Displacement", &S::is_static, {{"Static", true}, {"Zero", false}},
-            "Selects the initial displacement. Static: it balances gravity on a fault without "
-            "friction. Zero: it is zero.")
-    .others()
-    .field(velocity_names[0], 0., "m/s", Range::any(),
-           "The body starts with this velocity along x. An antiplane model has none.")
-    .field(velocity_names[1], 0., "m/s", Range::any(),
-           "The body starts with this velocity along y. An antiplane model has none.")
-    .field(velocity_names[2], 0., "m/s", Range::any(),
-           "The body starts with this velocity along z. Only antiplane models and solids have it.")
-    .field("Slip Rate", optional, "m/s", Range::any(),
-           "The fault starts with this slip rate, in place of the one that follows from the "
-           "velocity. It points along the tangent, in three dimensions along 'Slip Direction'. A "
-           "two-sided fault needs it, since the velocity is the same on both of its sides.");
-  entries
-    .choice("Acceleration", &S::is_balanced, {{"Balanced", true}, {"Zero", false}},
-            "Selects the initial acceleration. Balanced: it follows from the balance of momentum; "
-            "a quasi-dynamic model has none. Zero: it is zero whatever the forces are.")
-    .choice("State", &S::alpha,
-            {{"Given", AlphaAtStart::given},
-             {"Steady", AlphaAtStart::steady},
-             {"Stress Balance", AlphaAtStart::stress_balance}},
-            "Selects the initial state on the fault. Given: it is the entry 'alpha'. Steady: it is "
-            "the steady state at the initial slip rate. Stress Balance: friction at the initial "
-            "slip rate, together with the radiation damping of a quasi-dynamic model, bears the "
-            "initial shear traction.")
-    .others()
-    .field("alpha", 0., "-", Range::any(),
-           "The fault starts with this state alpha = ln(theta V* / L); 0 is steady sliding at V*.");
-  return entries;
-}
-
-InitialChoices choicesOf(ParameterList const& list)
-{
-  return initialEntries().read(list, initial_path);
-}
-} // namespace
-
-RCP<const ParameterList> initialStateParameters() { return initialEntries().list(); }
-
-bool startsStatic(ParameterList const& list) { return choicesOf(list).is_static; }
-
-namespace
-{
 // nodes: the owned ones.
 RCP<Vector> initialVelocity(ParameterList const& list, FieldNodes const& nodes,
                             dynamics::Body const& body, fem::NodalFrames const& frames)
@@ -88,7 +26,7 @@ RCP<Vector> initialVelocity(ParameterList const& list, FieldNodes const& nodes,
   std::vector<double> along_axes(nodes.ids.size() * components);
   for (int c = 0; c < components; ++c) {
     auto const along =
-      nodalValues(list, velocity_names[components == 1 ? 2 : c], initial_path, nodes);
+      nodalValues(list, initial_entries::velocity[components == 1 ? 2 : c], initial_path, nodes);
     for (std::size_t node = 0; node < nodes.ids.size(); ++node) {
       along_axes[node * components + c] = along[node];
     }
@@ -109,30 +47,32 @@ RCP<Vector> initialVelocity(ParameterList const& list, FieldNodes const& nodes,
 void setSlipRate(ParameterList const& list, FieldNodes const& nodes,
                  fem::FaultSurface const& surface, std::vector<double> rates, Vector& v)
 {
-  if (!isGiven(list, "Slip Rate")) {
+  if (!isGiven(list, initial_entries::slip_rate)) {
     return;
   }
-  auto const size = nodalValues(list, "Slip Rate", initial_path, nodes);
+  auto const size = nodalValues(list, initial_entries::slip_rate, initial_path, nodes);
   for (std::size_t i = 0; i < rates.size(); ++i) {
     rates[i] *= size[i / surface.numTangents()];
   }
   dynamics::setSlipRate(surface, rates, v);
 }
 
-NodeView initialAlpha(ParameterList const& list, FieldNodes const& nodes,
-                      dynamics::Fault const& fault, dynamics::State const& state,
-                      std::vector<double> const& traction)
+NodeView initialAlpha(dynamics::AlphaAtStart kind, ParameterList const& list,
+                      FieldNodes const& nodes, dynamics::Fault const& fault,
+                      dynamics::State const& state, std::vector<double> const& traction)
 {
   auto const& surface = fault.surface();
   const BlockView w("asperity::scenario::w", surface.numNodes(), surface.numTangents());
   dynamics::gatherSlip(surface, *state.v, w);
-  return dynamics::initialAlpha(
-    fault, choicesOf(list).alpha,
-    {nodalValues(list, "alpha", initial_path, nodes), traction, fault.given(state).sigma_n, w},
-    [&](int i) {
-      return initial_path + " / State = " + list.get<std::string>("State") + ": at node " +
-             std::to_string(nodes.ids[i]) + ", x = " + nodes.text(i) + ",";
-    });
+  return dynamics::initialAlpha(fault, kind,
+                                {nodalValues(list, initial_entries::alpha, initial_path, nodes),
+                                 traction, fault.given(state).sigma_n, w},
+                                [&](int i) {
+                                  return initial_path +
+                                         " / State = " + list.get<std::string>("State") +
+                                         ": at node " + std::to_string(nodes.ids[i]) +
+                                         ", x = " + nodes.text(i) + ",";
+                                });
 }
 } // namespace
 
@@ -140,8 +80,8 @@ template <int Dim>
 dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Body const& body,
                                  dynamics::Fault const& fault, StartOfRun const& start)
 {
-  ParameterList const& deck = context.deck;
-  auto const& list = deck.sublist("Initial State");
+  auto const& settings = context.settings.initial;
+  auto const& list = context.settings.lists.initial;
   auto const& mesh = context.discretisation.mesh;
   auto const& at_fault = context.site.nodes;
   const int num_nodes = fault.surface().numNodes();
@@ -169,10 +109,10 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
     auto const fields = process->fields(state);
     state.added.insert(state.added.end(), fields.begin(), fields.end());
   }
-  state.alpha = initialAlpha(list, at_fault, fault, state, start.traction);
+  state.alpha = initialAlpha(settings.alpha, list, at_fault, fault, state, start.traction);
   auto const given = fault.given(state);
   Kokkos::deep_copy(state.alpha_of_rate, given.alpha);
-  if (choicesOf(list).is_balanced && !context.settings.bulk.isQuasiDynamic()) {
+  if (settings.is_balanced && !context.settings.bulk.isQuasiDynamic()) {
     auto const& time = context.settings.time;
     double dt = std::min(time.largest_step, time.final_time) * 1e-6;
     dt = std::min(dt, time.smallest_step.value_or(dt));
@@ -187,18 +127,17 @@ dynamics::State makeInitialState(SetupContext<Dim> const& context, dynamics::Bod
 
 // In a model with inertia it may be that of a wave.
 template <int Dim>
-std::optional<Warning> warnOfVelocity(BulkSettings const& bulk, ParameterList const& deck,
-                                      Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+std::optional<Warning> warnOfVelocity(SetupContext<Dim> const& context)
 {
-  auto const& list = deck.sublist("Initial State");
-  if (!surface.otherSide().is_inside || surface.numSliding() == 0 || isGiven(list, "Slip Rate") ||
-      !bulk.isQuasiDynamic()) {
+  auto const& list = context.settings.lists.initial;
+  auto const& surface = *context.site.surface;
+  if (!surface.otherSide().is_inside || surface.numSliding() == 0 ||
+      isGiven(list, initial_entries::slip_rate) || !context.settings.bulk.isQuasiDynamic()) {
     return std::nullopt;
   }
-  auto const nodes = faultNodes(mesh, surface);
   double largest = 0;
-  for (auto const* name : velocity_names) {
-    for (const double velocity : nodalValues(list, name, initial_path, nodes)) {
+  for (auto const* name : initial_entries::velocity) {
+    for (const double velocity : nodalValues(list, name, initial_path, context.site.nodes)) {
       largest = std::max(largest, std::abs(velocity));
     }
   }
@@ -212,8 +151,7 @@ std::optional<Warning> warnOfVelocity(BulkSettings const& bulk, ParameterList co
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::optional<Warning> warnOfVelocity(BulkSettings const&, ParameterList const&,        \
-                                                 Mesh<Dim> const&, fem::FaultSurface const&);      \
+  template std::optional<Warning> warnOfVelocity(SetupContext<Dim> const&);                        \
   template dynamics::State makeInitialState(SetupContext<Dim> const&, dynamics::Body const&,       \
                                             dynamics::Fault const&, StartOfRun const&);
 

@@ -4,8 +4,8 @@
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/NodalDamping.hpp"
 #include "fem/motions/RigidBodyMotions.hpp"
-#include "scenario/problem/StaticStart.hpp"
-#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/problem/StartRequirements.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -91,8 +91,8 @@ LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices
 
   auto const gravity = fem::assembleGravity<Dim>(
     mesh, dofs, frames, rock.materials, scenario::gravity<Dim>(bulk, discretisation.upright.down));
-  ShearTraction traction(context.settings.friction, context.friction(), context.site.nodes,
-                         *surface, frames);
+  ShearTraction traction(context.settings.friction, context.settings.lists.friction,
+                         context.site.nodes, *surface, frames);
   auto const on_boundaries =
     std::make_shared<fem::BoundaryLoad>(mesh, dofs, frames, discretisation.boundary.tractions);
   auto const constraints = discretisation.constraints;
@@ -105,8 +105,7 @@ LoadedBody makeBody(SetupContext<Dim> const& context, fem::BodyMatrices matrices
                      withRadiationOfPlates(gravity, context.site)),
     [constraints](double t, Vector& v) { constraints->prescribedVelocity(t, v); }};
   if (body.matrices.is_massless) {
-    requireNoFreeMotion(discretisation, body, surface.get(),
-                        "the velocity of a quasi-dynamic body");
+    requireMasslessVelocity(discretisation, body, *surface);
   }
   if (rock.yielding) {
     body.cells = std::make_shared<fem::InelasticCells>(mesh, discretisation.dofs, frames,

@@ -6,6 +6,7 @@
 #include "scenario/problem/FaultAtStart.hpp"
 #include "scenario/problem/InitialState.hpp"
 #include "scenario/problem/LoadedBody.hpp"
+#include "scenario/problem/StartRequirements.hpp"
 #include "scenario/problem/StaticStart.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/friction/FaultLoads.hpp"
@@ -40,26 +41,28 @@ dynamics::ReactionSinceStart reactionSinceStart(SetupContext<Dim> const& context
 template <int Dim>
 Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> const& communicator)
 {
-  // 1. The mesh with its unknowns, constraints and rock.
+  // 1. What the deck says; nothing below reads it.
   auto settings = DeckSettings::from(deck);
-  auto discretisation = discretise<Dim>(deck, settings, communicator);
+
+  // 2. The mesh with its unknowns, constraints and rock.
+  auto discretisation = discretise<Dim>(settings, communicator);
   auto const& mesh = discretisation.mesh;
-  auto const solver = makeSolverSettings(deck.sublist("TNNMG"), communicator->getSize(), Dim,
+  auto const solver = makeSolverSettings(settings.solver, communicator->getSize(), Dim,
                                          mesh.num_global_vertices * discretisation.components());
 
-  // 2. The body, its loads, and where its fault lies.
+  // 3. The body, its loads, and where its fault lies.
   auto matrices = fem::assembleBody<Dim>(mesh, *discretisation.dofs, discretisation.frames(),
                                          discretisation.rock.materials,
                                          discretisation.rock.branches, discretisation.patches);
-  auto site = makeFaultSite(deck, settings, discretisation, *matrices.stiffness->getCrsGraph());
-  const SetupContext<Dim> context{deck, settings, discretisation, solver, site};
+  auto site = makeFaultSite(settings, discretisation, *matrices.stiffness->getCrsGraph());
+  const SetupContext<Dim> context{settings, discretisation, solver, site};
   auto loaded = makeBody(context, std::move(matrices));
 
-  // 3. The fault under the normal stress at the start.
+  // 4. The fault under the normal stress at the start.
   auto const start = staticStart(context, loaded.body, *loaded.static_load);
   auto [fault, warnings_of_stress] = makeFault(context, start.pressure);
 
-  // 4. The state at the start.
+  // 5. The state at the start.
   auto initial =
     makeInitialState(context, loaded.body, fault,
                      {start.displacement, loaded.traction.at(0), loaded.traction.direction()});
@@ -69,7 +72,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   dynamics::Model model{std::move(loaded.body), std::move(fault), std::move(initial),
                         follows ? across : dynamics::ReactionSinceStart()};
 
-  // 5. What users should know about it.
+  // 6. What users should know about it.
   auto scales = model.fault.stateDecides()
                   ? faultScales(context, model.fault, model.initial,
                                 loaded.traction.largest(discretisation.samples))

@@ -1,25 +1,22 @@
 #pragma once
 
 #include "dynamics/coupling/RateSolver.hpp"
-#include "parameters/Parameters.hpp"
 #include "scenario/problem/DeckSettings.hpp"
 #include "scenario/problem/Discretisation.hpp"
 #include "scenario/problem/FaultSite.hpp"
 
 namespace asperity::scenario
 {
-// What the later stages of a problem need: the deck and the results of the first stages.
+// What the later stages of a problem need: what the deck says and the results of the first stages.
 template <int Dim>
 struct SetupContext
 {
-  ParameterList const& deck;
   DeckSettings const& settings;
   Discretisation<Dim> const& discretisation;
   dynamics::RateSolverSettings const& solver;
   FaultSite const& site;
 
   Communicator const& communicator() const { return *discretisation.dofs->communicator(); }
-  ParameterList const& friction() const { return deck.sublist("Friction"); }
   int components() const { return discretisation.components(); }
   // Whether motion of the body presses across the fault: neither in antiplane motion nor beside a
   // mirror image.

@@ -9,8 +9,8 @@
 
 namespace asperity::scenario
 {
-// A field of a condition at vertices of its boundary, at most a thousand on each rank, for checks
-// that need not see all.
+// A field of a condition at vertices of its boundary. At most a thousand on each rank are taken,
+// which is enough for checks of its size.
 template <int Dim>
 NodalField boundaryField(BoundaryCondition const& condition, std::string const& entry,
                          Mesh<Dim> const& mesh)

@@ -7,7 +7,7 @@
 #include "fem/constraints/PlaneTangent.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <Teuchos_Array.hpp>
 

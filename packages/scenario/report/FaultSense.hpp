@@ -17,7 +17,8 @@ struct FaultSides
   int components = 2; // of the displacement
   std::array<double, 3> up{0, 1, 0};
   bool is_section = false; // the plane is upright, as gravity acts in it; else it may be a map, too
-  // In plane strain: along which slip is positive. Zero: the tangent that a fault of its own has.
+  // In plane strain: the mean tangent, along which slip is positive. If it is zero, the tangent
+  // that follows from `plus` counts.
   std::array<double, 3> tangent{};
   std::array<double, 3> east{1, 0, 0}; // in space; its part at right angles to `up` counts
 };

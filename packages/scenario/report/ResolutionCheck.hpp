@@ -35,9 +35,9 @@ std::optional<Warning> warnOfCellShape(Problem<Dim> const& problem);
 std::vector<std::string> describeScales(FaultScales const& scales);
 
 // The fewest cells of the zone behind a front of slip (dynamics::FrontZone). With xml/bp6.xml and
-// the slip law, 0.4, 0.8, 1.4 and 2.9 cells give peak slip rates of 12, 3.5, 1.5 and 1.1 times that
-// of cells without size.
+// the slip law, 0.4, 0.8, 1.4 and 2.9 cells give peak slip rates of 12, 3.5, 1.5 and 1.1 times the
+// limit for ever smaller cells.
 constexpr double fewest_cells_of_front = 2;
-// Warns of fewer; `where` says of what front, such as "at t = 3 s, (0, 1)".
+// A warning if the zone has fewer cells; `where` says which front it is, as "at t = 3 s, (0, 1)".
 Warning warnOfFront(double cells, std::string const& where);
 } // namespace asperity::scenario

@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "scenario/problem/Upright.hpp"
 #include "scenario/report/DriveCheck.hpp"
 #include "scenario/report/Environment.hpp"
 #include "scenario/report/FaultSense.hpp"
@@ -10,11 +11,10 @@
 #include "scenario/report/ResolutionCheck.hpp"
 #include "scenario/report/SizeCheck.hpp"
 #include "scenario/report/SmallestStep.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
-#include "scenario/setup/Upright.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <algorithm>
 #include <cmath>

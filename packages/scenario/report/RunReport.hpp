@@ -33,8 +33,8 @@ struct RunSummary
   std::string directory;
 };
 
-// If the defect of the balance of energy exceeds a thousandth of the largest work or of the kinetic
-// energy, and rounding, 1e-9 of kinetic and elastic energy.
+// A warning if the defect of the balance of energy exceeds both a thousandth of the largest work or
+// of the kinetic energy, and the rounding, 1e-9 of kinetic and elastic energy.
 std::optional<Warning> warnOfDefect(dynamics::Energy const& energy);
 
 // The closing paragraphs: the report of the outputs, the effort and the energy.

@@ -99,8 +99,8 @@ std::vector<Warning> warnOfSize(BodySize const& size,
 }
 namespace
 {
-// Means of the largest slip, and no pulse that a time meets by chance: with one number of times it
-// counts too much, with the other one not at all.
+// The largest slip is computed with both numbers of times, and the smaller result counts: a short
+// pulse that one set of times meets by chance is missed by the other one.
 constexpr int numbers_of_times[] = {128, 101};
 
 // The largest slip at nodes that the rate prescribes from t = 0 to `end`.

@@ -4,9 +4,9 @@
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/control/PrescribedSteps.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,8 +38,9 @@ double crossingTime(Problem<Dim> const& problem)
   return minOverRanks(shortest, *problem.communicator);
 }
 
-// Where no state of the fault decides on steps (Fault::stateDecides), and no earthquake can be
-// lost: the time at which slip or a load begins is met to a millionth of the run.
+// The default where no state of the fault decides on steps (Fault::stateDecides), so that there are
+// no earthquakes to resolve: a millionth of the run, to which the times are met at which slip or a
+// load begins.
 template <int Dim>
 double defaultWithoutState(Problem<Dim> const& problem)
 {

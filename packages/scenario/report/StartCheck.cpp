@@ -8,11 +8,11 @@ namespace asperity::scenario
 {
 namespace
 {
-// An overstressed patch, or one that starts to slip against the load, is smaller.
+// The share of the fault that may slip against the load at the start: a patch may do so on purpose.
 constexpr double largest_contradiction = 0.5;
-// Share of the forces at the start. The tolerance of solvers and the rounded numbers of a deck
-// leave less; a state of one run under the loads of another, or a traction in other units, leaves
-// far more.
+// The share of the forces at the start that may be unbalanced. The tolerance of solvers and rounded
+// numbers in a deck leave less; a state of one run under the loads of another, or a traction in
+// other units, leaves far more.
 constexpr double largest_imbalance = 0.01;
 } // namespace
 

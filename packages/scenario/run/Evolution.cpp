@@ -12,10 +12,9 @@
 #include "mesh/PointText.hpp"
 #include "scenario/report/SmallestStep.hpp"
 #include "scenario/report/StartCheck.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 #include "scenario/watches/SkippedTimes.hpp"
 
 #include <algorithm>
@@ -37,7 +36,7 @@ makeCoupledStep(ParameterList const& deck, Problem<Dim> const& problem,
   const dynamics::StepSettings settings = {
     makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock,
     dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance), problem.solver,
-    memoryBudget(deck.sublist("TNNMG"))};
+    problem.settings.solver.memoryBudget()};
   return std::make_unique<dynamics::CoupledStep>(model.body, model.fault, settings, model.reaction);
 }
 } // namespace
@@ -71,7 +70,7 @@ Evolution<Dim>::Evolution(Problem<Dim> const& problem, ParameterList const& deck
                           Beginning const& beginning)
     : communicator_(problem.communicator)
     , problem_(problem)
-    , condensation_(makeCondensation(problem_, deck))
+    , condensation_(makeCondensation(problem_))
     , model_(condensation_ ? condensation_->model() : problem_.model)
     , clock_(clockOf(problem_))
     , end_(clock_.reaching(problem_.settings.time.final_time))

@@ -7,6 +7,8 @@
 #include "scenario/report/RunReport.hpp"
 #include "scenario/run/OtherRun.hpp"
 
+#include <utility>
+
 namespace asperity::scenario
 {
 namespace
@@ -38,17 +40,15 @@ Beginning beginningOf(CommandLine const& command_line, Problem<Dim> const& probl
 } // namespace
 
 template <int Dim>
-PreparedRun<Dim>::PreparedRun(RCP<ParameterList> const& deck_, CommandLine const& command_line,
-                              RCP<const Communicator> const& communicator_)
-    : deck(deck_) // the order is that of the members, see the header
-    , communicator(communicator_)
+PreparedRun<Dim>::PreparedRun(RCP<const ParameterList> deck_, Problem<Dim> problem_,
+                              CommandLine const& command_line)
+    : deck(std::move(deck_)) // the order is that of the members, see the header
+    , communicator(problem_.communicator)
     , directory(directoryOfResults(command_line))
-    , problem(makeProblem<Dim>(*deck, communicator))
+    , problem(std::move(problem_))
     , domains(makeDomains(problem))
     , checkpoints(directory, deck->sublist("Output"), command_line.plugins,
-                  fingerprint(completeDirections(*deck, Dim, problem.discretisation.upright),
-                              problem.mesh(), *communicator),
-                  communicator)
+                  fingerprint(*deck, problem.mesh(), *communicator), communicator)
     , beginning(beginningOf(command_line, problem, domains, *deck, checkpoints))
     , evolution(problem, *deck, beginning)
     , unread(warnOfUnreadEntries(command_line, *deck))

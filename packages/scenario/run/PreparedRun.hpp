@@ -17,30 +17,30 @@ namespace asperity::scenario
 {
 // A run before it touches a file: the problem with its steps, and the outputs that read from it.
 //
-// The constructor does all of this in the order of the members, since each needs those before it:
+// The constructor makes the members in their order, since each needs those before it:
 //
-//   problem       makeProblem: mesh, matrices, static solution, fault, state at the start
+//   problem       given: that of the deck, by makeProblem
 //   domains       the parts of the mesh that outputs write
-//   checkpoints   the deck gets the directions that follow from the mesh; its fingerprint
+//   checkpoints   with the fingerprint of the deck
 //   beginning     reads the checkpoint of a restart or the state of another run
 //   evolution     clock, step, control; goes on from the beginning
 //   unread        reads the deck anew, for entries without effect
-//   outputs       with the fields of the evolution
+//   registry      the fields of the evolution
+//   outputs       those of the deck, which take their fields from the registry
 template <int Dim>
 struct PreparedRun
 {
-  // `deck` must be complete; entries that follow from the mesh are set in it. Throws SolveError if
-  // the state at the start cannot be computed. Reads the checkpoint of a restart, and refuses that
-  // of another deck. Collective.
-  PreparedRun(RCP<ParameterList> const& deck, CommandLine const& command_line,
-              RCP<const Communicator> const& communicator);
+  // `deck` must be complete, with the directions that follow from the mesh (completeDirections).
+  // Reads the checkpoint of a restart. Throws InputError if that is of another deck, and SolveError
+  // if the state at the start cannot be computed. Collective.
+  PreparedRun(RCP<const ParameterList> deck, Problem<Dim> problem, CommandLine const& command_line);
   PreparedRun(PreparedRun const&) = delete; // outputs refer to the evolution
   PreparedRun& operator=(PreparedRun const&) = delete;
 
   // The first lines of the log. Collective.
   Description description() const;
 
-  RCP<ParameterList> deck;
+  RCP<const ParameterList> deck;
   RCP<const Communicator> communicator;
   std::filesystem::path directory; // of the results
   Problem<Dim> problem;
@@ -48,8 +48,8 @@ struct PreparedRun
   Checkpoints checkpoints;
   Beginning beginning; // its archive is not needed any more once the run has begun
   Evolution<Dim> evolution;
+  std::optional<Warning> unread; // entries of the deck
   io::FieldRegistry registry;
   std::unique_ptr<io::OutputSet> outputs;
-  std::optional<Warning> unread; // entries of the deck
 };
 } // namespace asperity::scenario

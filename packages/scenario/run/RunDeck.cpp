@@ -4,7 +4,12 @@
 #include "scenario/deck/Coordinates.hpp"
 #include "scenario/run/PreparedRun.hpp"
 #include "scenario/run/Simulation.hpp"
+#include "scenario/setup/DeckDirections.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
 
 namespace asperity::scenario
 {
@@ -16,7 +21,16 @@ std::unique_ptr<PreparedRun<Dim>> prepare(RCP<ParameterList> const& deck,
                                           RCP<const Communicator> const& communicator)
 {
   try {
-    return std::make_unique<PreparedRun<Dim>>(deck, command_line, communicator);
+    // 1. The mesh and all that follows from it.
+    auto problem = makeProblem<Dim>(*deck, communicator);
+
+    // 2. Where the deck does not say which way is up, that is known only from the mesh. It is set
+    // before anything looks at the deck as a whole: the fingerprint that a restart compares, the
+    // outputs that read `Up`, and parameters.xml.
+    completeDirections(*deck, Dim, problem.discretisation.upright.up);
+
+    // 3. The steps and outputs of a run.
+    return std::make_unique<PreparedRun<Dim>>(deck, std::move(problem), command_line);
   } catch (SolveError const& error) {
     throw InputError(std::string("The state at the start cannot be computed. ") + error.what() +
                      " Check Boundary Conditions, Bulk and Initial State.");
@@ -34,6 +48,12 @@ auto withPreparedRun(RCP<ParameterList> const& deck, CommandLine const& command_
   refuseZ(*deck);
   return use(*prepare<2>(deck, command_line, communicator));
 }
+
+template <int Dim>
+int run(PreparedRun<Dim>& prepared, CommandLine const& command_line)
+{
+  return Simulation<Dim>(prepared, command_line).run();
+}
 } // namespace
 
 Description validateDeck(RCP<ParameterList> const& deck, CommandLine const& command_line,
@@ -42,15 +62,6 @@ Description validateDeck(RCP<ParameterList> const& deck, CommandLine const& comm
   return withPreparedRun(deck, command_line, communicator,
                          [](auto const& prepared) { return prepared.description(); });
 }
-
-namespace
-{
-template <int Dim>
-int run(PreparedRun<Dim>& prepared, CommandLine const& command_line)
-{
-  return Simulation<Dim>(prepared, command_line).run();
-}
-} // namespace
 
 int runDeck(RCP<ParameterList> const& deck, CommandLine const& command_line,
             RCP<const Communicator> const& communicator)

@@ -100,7 +100,7 @@ void Simulation<Dim>::describeStart()
                     std::to_string(eliminated) + " of " +
                     std::to_string(evolution_.problem().model.body.numOwnedDofs()) +
                     " unknowns once for all steps.");
-  } else if (const auto hint = hintOnDirect(prepared_.deck->sublist("TNNMG"), Dim,
+  } else if (const auto hint = hintOnDirect(evolution_.problem().settings.solver, Dim,
                                             evolution_.problem().mesh().num_global_vertices *
                                               evolution_.problem().components());
              !hint.empty()) {

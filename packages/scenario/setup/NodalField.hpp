@@ -13,12 +13,12 @@
 
 namespace asperity::scenario
 {
-// Points around nodes, over which mean(f) goes.
+// The points around nodes from which mean(f) is computed.
 struct FieldSamples
 {
   std::vector<std::array<double, 3>> places; // [m], those of one node side by side
   std::vector<double> weights;               // of the points; those of a node sum to 1
-  std::vector<std::size_t> end;              // (num_nodes) behind the last point of the node
+  std::vector<std::size_t> end; // (num_nodes) one past the index of the last point of the node
 
   Expression::Patch around(std::size_t node) const;
 };
@@ -37,7 +37,7 @@ struct FieldNodes
   std::vector<std::array<double, 3>> places; // (num_nodes) [m] as expressions see them
   std::vector<int> regions;                  // (num_nodes) of the first cell that has the vertex
   std::vector<long long> ids;                // (num_nodes) global ones
-  // Makes the points for mean(f) in expressions; without it that is f at the nodes.
+  // Makes the points for mean(f) in expressions. If it is empty, mean(f) is f at the nodes.
   std::function<std::shared_ptr<const FieldSamples>()> samples = {};
 };
 

@@ -14,21 +14,7 @@ constexpr char const* tnnmg_path = "Asperity / TNNMG";
 // Number of unknowns from which on a factor with its fill costs more than a few V-cycles.
 long long largestDirect(int dimension) { return dimension == 2 ? 100000 : 10000; }
 
-enum class Choice
-{
-  automatic,
-  direct,
-  multigrid
-};
-
-// The entries of the list that are not those of tnnmg::TnnmgSettings.
-struct SolverSettings
-{
-  Choice correction = Choice::automatic;
-  bool may_condense = true;
-  double memory = 2000; // [MB]
-};
-
+// The entries of the list that are not those of tnnmg::TnnmgSettings. They join those of `list`.
 Entries<SolverSettings> solverEntries(ParameterList& list)
 {
   using S = SolverSettings;
@@ -36,7 +22,9 @@ Entries<SolverSettings> solverEntries(ParameterList& list)
   entries
     .choice(
       "Linear Correction", &S::correction,
-      {{"Auto", Choice::automatic}, {"Direct", Choice::direct}, {"Multigrid", Choice::multigrid}},
+      {{"Auto", CorrectionChoice::automatic},
+       {"Direct", CorrectionChoice::direct},
+       {"Multigrid", CorrectionChoice::multigrid}},
       "Selects the solver of the linear correction. Direct: a sparse Cholesky factorisation "
       "of Z is made once for each step size and leaves a Schur complement on the fault; it "
       "works on one rank. Multigrid: algebraic multigrid is used. Auto: this is Direct for small "
@@ -54,12 +42,6 @@ Entries<SolverSettings> solverEntries(ParameterList& list)
              "This list controls the linear correction by algebraic multigrid.");
   return entries;
 }
-
-SolverSettings settingsOf(ParameterList const& list)
-{
-  ParameterList declared;
-  return solverEntries(declared).read(list, tnnmg_path);
-}
 } // namespace
 
 RCP<const ParameterList> solverParameters()
@@ -69,28 +51,36 @@ RCP<const ParameterList> solverParameters()
   return list;
 }
 
-bool mayCondense(ParameterList const& list) { return settingsOf(list).may_condense; }
-
-dynamics::RateSolverSettings makeSolverSettings(ParameterList const& list, int num_ranks,
-                                                int dimension, long long num_unknowns)
+SolverSettings SolverSettings::from(ParameterList const& list)
 {
-  auto const choice = settingsOf(list).correction;
-  ASPERITY_REQUIRE(choice != Choice::direct || num_ranks == 1,
-                   "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
-                     << num_ranks << ". Choose Multigrid or Auto.");
-  tnnmg::MultigridCorrection::requireAccepted(list.sublist("Multigrid"));
-  dynamics::RateSolverSettings settings;
+  ParameterList declared;
+  auto settings = solverEntries(declared).read(list, tnnmg_path);
   settings.tnnmg = tnnmg::TnnmgSettings::entries().read(list, tnnmg_path);
-  const bool direct = choice == Choice::direct || (choice == Choice::automatic && num_ranks == 1 &&
-                                                   num_unknowns <= largestDirect(dimension));
-  settings.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
   settings.multigrid = list.sublist("Multigrid");
   return settings;
 }
 
-std::string hintOnDirect(ParameterList const& list, int dimension, long long num_unknowns)
+dynamics::RateSolverSettings makeSolverSettings(SolverSettings const& settings, int num_ranks,
+                                                int dimension, long long num_unknowns)
 {
-  if (settingsOf(list).correction != Choice::direct || num_unknowns <= largestDirect(dimension)) {
+  auto const choice = settings.correction;
+  ASPERITY_REQUIRE(choice != CorrectionChoice::direct || num_ranks == 1,
+                   "Asperity / TNNMG / Linear Correction = Direct works on one rank, not on "
+                     << num_ranks << ". Choose Multigrid or Auto.");
+  tnnmg::MultigridCorrection::requireAccepted(settings.multigrid);
+  const bool direct = choice == CorrectionChoice::direct ||
+                      (choice == CorrectionChoice::automatic && num_ranks == 1 &&
+                       num_unknowns <= largestDirect(dimension));
+  dynamics::RateSolverSettings result;
+  result.tnnmg = settings.tnnmg;
+  result.correction = direct ? dynamics::Correction::direct : dynamics::Correction::multigrid;
+  result.multigrid = settings.multigrid;
+  return result;
+}
+
+std::string hintOnDirect(SolverSettings const& settings, int dimension, long long num_unknowns)
+{
+  if (settings.correction != CorrectionChoice::direct || num_unknowns <= largestDirect(dimension)) {
     return "";
   }
   return "Linear Correction = Direct factorises a matrix for each step size, which may take most "
@@ -100,10 +90,10 @@ std::string hintOnDirect(ParameterList const& list, int dimension, long long num
          "Multigrid here; compare the two over some steps.";
 }
 
-std::size_t memoryBudget(ParameterList const& list)
+std::size_t SolverSettings::memoryBudget() const
 {
   constexpr auto most = std::numeric_limits<std::size_t>::max();
-  const double bytes = settingsOf(list).memory * 1e6;
+  const double bytes = memory * 1e6;
   return bytes < static_cast<double>(most) ? static_cast<std::size_t>(bytes) : most;
 }
 } // namespace asperity::scenario

@@ -11,15 +11,15 @@ namespace asperity::scenario
 {
 struct TimeSettings;
 
-// A value of the entry `Time Stepping / Scheme`. TimeSchemes.cpp has a row for each: all that a
-// deck, the list of parameters and a run know of a scheme is in its row.
+// A value of the entry `Time Stepping / Scheme`. TimeSchemes.cpp has a row for each, which is all
+// that a scheme needs.
 struct TimeScheme
 {
   std::string name;
   std::string meaning; // for the list of parameters
   RCP<const ParameterList> entries;
-  // The settings choose this scheme. Without mass throws InputError where the scheme damps nothing:
-  // the velocity would have the amplification factor -1.
+  // Makes the rate update; the settings choose this scheme. Throws InputError for a body without
+  // mass if the scheme is not dissipative: its velocity would have the amplification factor -1.
   std::function<dynamics::RateUpdate(TimeSettings const& settings, bool has_mass)> update;
 };
 

@@ -15,7 +15,7 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 std::string meaningOfTime();
 
-// What the list says, but for the entries of watches.
+// The entries of the list without those of watches.
 struct TimeSettings
 {
   double final_time = 0;        // [s]
@@ -31,18 +31,18 @@ struct TimeSettings
   static TimeSettings from(ParameterList const& list);
 };
 
-// `Final Time`, and those of `Instants` and of the output times [s] that are in the run, in ticks,
-// ascending.
+// The final time of the run, and the settings' instants and the output times [s] before it, in
+// ticks, ascending.
 std::vector<dynamics::DyadicTime::Ticks> instants(TimeSettings const& settings,
                                                   std::vector<double> const& output_times,
                                                   dynamics::DyadicTime const& clock);
-// With the smallest step [s] of the deck, or another one. Throws InputError where it is missing,
-// where the largest step is more than 2^60 times as large, or where the run is longer than 4.5e18
-// of them.
+// The clock whose smallest step [s] is that of the deck, or a given one. Throws InputError where it
+// is missing, where the largest step is more than 2^60 times as large, or where the run is longer
+// than 4.5e18 of them.
 dynamics::DyadicTime makeClock(TimeSettings const& settings);
 dynamics::DyadicTime makeClock(TimeSettings const& settings, double smallest);
 
-// What a step control knows of the problem beside its step.
+// What a step control needs of the problem in addition to its step.
 struct ControlSetting
 {
   double wave_rate = 0;                     // dynamics::WaveScale::slip_rate [m/s]
@@ -51,7 +51,8 @@ struct ControlSetting
   std::function<std::string(int)> place_of; // see dynamics::ControlContext
 };
 
-// No step passes the end of the run, an instant of the settings, or an output time [s].
+// The step control that the deck chooses. No step passes the end of the run, an instant of the
+// settings, or an output time [s].
 std::unique_ptr<dynamics::StepControl> makeStepControl(TimeSettings const& settings,
                                                        std::vector<double> const& output_times,
                                                        dynamics::CoupledStep& step,

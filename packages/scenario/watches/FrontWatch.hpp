@@ -20,7 +20,7 @@ public:
   static std::string meaning() { return "fronts of slip that are narrower than cells resolve"; }
 
   // Looks at the end of a step. Warns the first time that the zone has fewer cells than
-  // scenario::fewest_cells_of_front, and again when it has half of what was told.
+  // scenario::fewest_cells_of_front, and again when it has half as many as at the last warning.
   void note(dynamics::WatchedState const& now, dynamics::Notes& notes) override;
 
   // Empty if friction fell nowhere.

@@ -102,7 +102,8 @@ std::optional<Warning> SkippedTimes::note(double begin, double end)
   return std::nullopt;
 }
 
-// Values between those at the ends are seen in part; what lies outside by a tenth is a pulse.
+// A value between those at the ends of the step does not count, since the step sees a part of it. A
+// pulse is outside of them by more than a tenth of the largest value.
 bool SkippedTimes::isPassed(Pulse const& pulse, double begin, double end) const
 {
   double largest = 0, outside = 0;

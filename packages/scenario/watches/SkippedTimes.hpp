@@ -18,10 +18,11 @@ namespace asperity::scenario
 template <int Dim>
 std::vector<std::array<double, 3>> placesOfLoads(Problem<Dim> const& problem);
 
-// Notes steps that pass a pulse of a load, of which no error estimate knows: as a push of ten
-// seconds in a step of a day. Two kinds are found: a step passes two times with which expressions
-// of the deck compare t (timesComparedIn), or a time around which an expression is centred
-// (timesShiftedIn) and at which it is outside the range of its values at both ends of the step.
+// Finds steps that pass a pulse of a load, such as a push of ten seconds in a step of a day. Error
+// estimates compare states at the ends of steps, and miss such a pulse. Two kinds are found: a step
+// passes two times with which expressions of the deck compare t (timesComparedIn), or a time around
+// which an expression is centred (timesShiftedIn) and at which it is outside the range of its
+// values at both ends of the step.
 class SkippedTimes : public dynamics::Watch
 {
 public:

@@ -1,7 +1,6 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "performance/rate_problems/Bp5.hpp"
-#include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -90,7 +89,7 @@ TEST(RateProblems, TakeHardlyMoreCyclesThanLinearOnes)
   auto const& time = problem.settings.time;
   auto const update = scenario::makeRateUpdate(time, false);
   auto const clock = scenario::makeClock(time);
-  const auto budget = scenario::memoryBudget(deck->sublist("TNNMG"));
+  const auto budget = problem.settings.solver.memoryBudget();
   dynamics::CoupledStep step(problem.model.body, problem.model.fault,
                              {update, clock,
                               dynamics::CouplingSettings::from(deck->sublist("Coupling"), 0),

@@ -1,7 +1,6 @@
 #include "scenario/setup/conditions/BoundarySetup.hpp"
 
 #include "SampleDeck.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include <set>

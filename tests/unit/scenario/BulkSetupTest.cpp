@@ -1,4 +1,4 @@
-#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include "SampleDeck.hpp"
 

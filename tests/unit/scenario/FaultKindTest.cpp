@@ -4,8 +4,8 @@
 #include "parameters/Deck.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/run/OtherRun.hpp"
-#include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/BoundarySetup.hpp"
+#include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
 
 namespace asperity::scenario

@@ -1,8 +1,8 @@
-#include "scenario/setup/RockSetup.hpp"
+#include "scenario/setup/rock/RockSetup.hpp"
 
 #include "SampleDeck.hpp"
 #include "hdf5/File.hpp"
-#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
 
 namespace asperity::scenario

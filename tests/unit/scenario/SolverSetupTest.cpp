@@ -139,7 +139,8 @@ TEST(SolverSetup, ChoosesTheCorrection)
 {
   const auto choice = [](std::string const& name, int ranks, long long unknowns,
                          int dimension = 2) {
-    return makeSolverSettings(solverList(name), ranks, dimension, unknowns).correction;
+    return makeSolverSettings(SolverSettings::from(solverList(name)), ranks, dimension, unknowns)
+      .correction;
   };
   EXPECT_EQ(choice("Auto", 1, 10000), Correction::direct);
   EXPECT_EQ(choice("Auto", 1, 10000000), Correction::multigrid);
@@ -156,25 +157,29 @@ TEST(SolverSetup, ReadsTolerancesAndBudget)
 {
   auto list = solverList("Auto");
   list.set("Absolute Tolerance", 3e-7).set("Maximum Iterations", 4).set("Memory Budget", 12.5);
-  const auto settings = makeSolverSettings(list, 1, 2, 10);
+  const auto settings = makeSolverSettings(SolverSettings::from(list), 1, 2, 10);
   EXPECT_EQ(settings.tnnmg.absolute_tolerance, 3e-7);
   EXPECT_EQ(settings.tnnmg.max_iterations, 4);
-  EXPECT_EQ(memoryBudget(list), 12500000U);
+  EXPECT_EQ(SolverSettings::from(list).memoryBudget(), 12500000U);
   for (const double no_limit : {2e13, 1e308}) {
     list.set("Memory Budget", no_limit);
-    EXPECT_EQ(memoryBudget(list), std::numeric_limits<std::size_t>::max());
+    EXPECT_EQ(SolverSettings::from(list).memoryBudget(), std::numeric_limits<std::size_t>::max());
   }
 }
+
 TEST(SolverSetup, SaysWhatDirectCostsWhereAutoChoosesMultigrid)
 {
-  const auto hint = hintOnDirect(solverList("Direct"), 3, 45000);
+  const auto hint_on = [](std::string const& correction, int dimension, long long num_unknowns) {
+    return hintOnDirect(SolverSettings::from(solverList(correction)), dimension, num_unknowns);
+  };
+  const auto hint = hint_on("Direct", 3, 45000);
   for (char const* piece :
        {"Linear Correction = Direct", "45000 unknowns", "set-up of step sizes"}) {
     expectParts(hint, {piece});
   }
-  EXPECT_EQ(hintOnDirect(solverList("Direct"), 3, 9000), "");
-  EXPECT_EQ(hintOnDirect(solverList("Direct"), 2, 45000), "");
-  EXPECT_EQ(hintOnDirect(solverList("Multigrid"), 3, 45000), "");
-  EXPECT_EQ(hintOnDirect(solverList("Auto"), 3, 45000), "");
+  EXPECT_EQ(hint_on("Direct", 3, 9000), "");
+  EXPECT_EQ(hint_on("Direct", 2, 45000), "");
+  EXPECT_EQ(hint_on("Multigrid", 3, 45000), "");
+  EXPECT_EQ(hint_on("Auto", 3, 45000), "");
 }
 } // namespace asperity::scenario

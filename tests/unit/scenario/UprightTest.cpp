@@ -1,6 +1,7 @@
-#include "scenario/setup/Upright.hpp"
+#include "scenario/problem/Upright.hpp"
 #include "SampleDeck.hpp"
 #include "scenario/problem/Problem.hpp"
+#include "scenario/setup/DeckDirections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,8 +31,8 @@ ParameterList deckWith(std::vector<double> const& up, std::vector<double> const&
 Upright upOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
              FreeSurface const& open = {})
 {
-  return uprightOf(BulkSettings::from(deck.sublist("Bulk")), deck.sublist("Output"), dimension,
-                   surface, open);
+  return uprightOf(BulkSettings::from(deck.sublist("Bulk")), givenUp(deck.sublist("Output")),
+                   dimension, surface, open);
 }
 
 FreeSurface facing(Direction const& normal) { return {{"top"}, {normal, 1}}; }
@@ -120,20 +121,20 @@ TEST(Upright, RefusesContradictions)
 TEST(Upright, CompletesTheDeck)
 {
   auto deck = deckWith({}, {});
-  completeDirections(deck, 3, inSpace(facing({0, 0, 1})));
+  completeDirections(deck, 3, inSpace(facing({0, 0, 1})).up);
   EXPECT_EQ(deck.sublist("Output").get<Teuchos::Array<double>>("Up"), array<double>({0, 0, 1}));
   EXPECT_EQ(deck.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
             array<double>({0, 0, -1}));
   auto plane = deckWith({}, {});
-  completeDirections(plane, 2, upOf(plane, 2, facing({0, 1, 0})));
+  completeDirections(plane, 2, upOf(plane, 2, facing({0, 1, 0})).up);
   EXPECT_EQ(plane.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
             array<double>({0, -1}));
   auto given = deckWith({}, {0.27, -1});
-  completeDirections(given, 2, upOf(given, 2, {}));
+  completeDirections(given, 2, upOf(given, 2, {}).up);
   EXPECT_EQ(given.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
             array<double>({0.27, -1}));
   auto weightless = deckWith({}, {}, 0);
-  completeDirections(weightless, 3, upOf(weightless, 3, facing({0, 0, 1})));
+  completeDirections(weightless, 3, upOf(weightless, 3, facing({0, 0, 1})).up);
   EXPECT_EQ(weightless.sublist("Bulk").get<Teuchos::Array<double>>("Gravity Direction"),
             array<double>({0, 0, -1}))
     << "down, whether gravity acts or not";

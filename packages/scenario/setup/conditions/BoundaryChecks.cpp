@@ -91,16 +91,6 @@ std::string readersOf(std::string const& entry)
 }
 } // namespace
 
-std::vector<BoundaryCondition> readConditions(ParameterList const& list)
-{
-  std::vector<BoundaryCondition> conditions;
-  for (auto const& entry : list) {
-    conditions.emplace_back(joinPath("Asperity / Boundary Conditions", entry.first),
-                            list.sublist(entry.first));
-  }
-  return conditions;
-}
-
 void refuseContradictions(std::vector<BoundaryCondition> const& conditions)
 {
   for (auto later = conditions.begin(); later != conditions.end(); ++later) {

@@ -9,9 +9,6 @@
 
 namespace asperity::scenario
 {
-// The boundary conditions of the list, in the order of the deck.
-std::vector<BoundaryCondition> readConditions(ParameterList const& list);
-
 // Throws InputError with both names if two conditions on a boundary exclude each other, see
 // DecidesOn.
 void refuseContradictions(std::vector<BoundaryCondition> const& conditions);

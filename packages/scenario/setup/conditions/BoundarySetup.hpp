@@ -12,11 +12,9 @@
 
 namespace asperity::scenario
 {
-// The deck's list `Boundary Conditions`: one sublist, of any name, for each condition.
-RCP<const ParameterList> boundaryParameters();
-
 struct BoundaryCondition;
 
+// What all conditions of a deck contribute to the model.
 template <int Dim>
 struct BoundaryConditions
 {
@@ -24,7 +22,7 @@ struct BoundaryConditions
   // surface.
   fem::Boundaries faults;
   fem::Boundaries given_slip; // those of them whose slip is prescribed; all others have friction
-  // The other side of all faults.
+  // What lies on the other side, the same for all faults.
   fem::OtherSide other_side;
   std::vector<PlateRate> plate_rates; // of the faults that have one
   std::string surface;                // the first free surface, or else the first boundary with a
@@ -36,12 +34,8 @@ struct BoundaryConditions
   double ramp_end = 0; // end of the last loading ramp [s]
 };
 
-// Whether a condition in the list, which need not be complete, is of a fault with friction: of a
-// Type that is a kind of fault, without a slip rate.
-bool haveFriction(ParameterList const& conditions);
-
-// A deck without a Type that is a kind of fault may have conditions of the Type Prescribed Slip
-// Rate: these are its faults, between two bodies.
+// Joins all conditions of a deck. Where none is of a kind of fault, conditions of the Type
+// Prescribed Slip Rate are its faults, between two bodies.
 //
 // components: of the displacement, Dim or, in antiplane models, 1. Throws InputError on
 // contradictions that can be found without the mesh.

@@ -1,16 +1,12 @@
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 
 #include "base/Errors.hpp"
-#include "base/Text.hpp"
-#include "parameters/fields/Field.hpp"
-#include "scenario/setup/NodalField.hpp"
+#include "parameters/Entries.hpp"
 #include "scenario/setup/conditions/BoundaryKind.hpp"
-#include "scenario/setup/conditions/ConditionEntries.hpp"
+#include "scenario/setup/conditions/FaultConditions.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
 
 namespace asperity::scenario
 {
@@ -18,107 +14,6 @@ namespace
 {
 constexpr char const* prescribed_slip_rate = "Prescribed Slip Rate";
 
-// One fault, or several inside the body.
-template <int Dim>
-void fault(BoundaryCondition const& condition, ConditionContext const& context,
-           BoundaryConditions<Dim>& result)
-{
-  auto const& other_side = condition.type->other_side;
-  ASPERITY_REQUIRE(result.faults.empty() || (result.other_side.is_inside && other_side.is_inside),
-                   condition.name << ": there is already a fault, the boundary '"
-                                  << result.faults.front()
-                                  << "'. There can be several only if all are of the Type "
-                                  << quotedAlternatives(faultKindsInside()) << ".");
-  result.faults.push_back(condition.boundary);
-  if (isGiven(condition.list, "Slip Rate")) {
-    result.given_slip.push_back(condition.boundary);
-  }
-  result.other_side = other_side;
-  auto const plate = plateRateOf(condition, context.components);
-  if (plate) {
-    result.plate_rates.push_back(plate);
-  }
-}
-
-// Under back slip the slip rate of a continuation, too, is slip factor v_t + Vp, where Vp is the
-// plate rate of the first fault that has one.
-template <int Dim>
-fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
-                                         BoundaryConditions<Dim> const& conditions)
-{
-  auto const plate = conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
-  const double factor = conditions.other_side.slip_factor;
-  auto const of_bodies = [rate, plate, factor](Point<Dim> const& x, double t) {
-    return ((*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0)) /
-           factor;
-  };
-  return {of_bodies, rate->dependsOnTime()};
-}
-
-// In three dimensions the continuation of a fault slips in the direction of the plates.
-template <int Dim>
-void requireDirectionOfPlates(BoundaryCondition const& condition,
-                              std::vector<double> const& direction,
-                              BoundaryConditions<Dim> const& conditions)
-{
-  if (conditions.plate_rates.empty()) {
-    return;
-  }
-  auto const& plate = conditions.plate_rates.front();
-  auto const& of_plates = plate.direction;
-  double product = 0;
-  double squares = 1;
-  for (auto const* vector : {&direction, &of_plates}) {
-    squares *=
-      (*vector)[0] * (*vector)[0] + (*vector)[1] * (*vector)[1] + (*vector)[2] * (*vector)[2];
-  }
-  for (int d = 0; d < 3; ++d) {
-    product += direction[d] * of_plates[d];
-  }
-  ASPERITY_REQUIRE(product >= std::sqrt(squares) * (1 - 1e-12),
-                   joinPath(condition.name, "Direction")
-                     << " is not that of " << plate.name
-                     << ", which has a Plate Rate: its continuation slips in the same direction. "
-                        "Give both the same.");
-}
-} // namespace
-
-// v_t = (slip rate - Vp) / slip factor: along the tangent of the frames, in three dimensions along
-// the projection of the direction onto the boundary, and none at right angles to it.
-template <int Dim>
-void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& context,
-                       BoundaryConditions<Dim>& result)
-{
-  ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
-                   joinPath(condition.name, "Slip Rate")
-                     << " is missing: the rate at which the boundary slips, 0 if it is locked.");
-  auto const rate = fieldIfGiven(condition, "Slip Rate");
-  auto const velocity = withoutPlates(rate, result);
-  if (context.components < 3) {
-    refuseDirection(condition, "in two dimensions a fault slips along its tangent");
-  }
-  const auto add = [&](typename fem::VelocityCondition<Dim>::Kind const& kind) {
-    result.velocities.push_back({condition.name, condition.boundary, kind});
-  };
-  if (context.components == 1) {
-    add(fem::PrescribedVelocity<Dim>{{1.}, velocity});
-  } else if (context.components == 2) {
-    add(fem::SlipAlongTangent<Dim>{velocity, context.along_fault});
-  } else {
-    auto const direction = directionOf(condition, context.components);
-    requireDirectionOfPlates(condition, direction, result);
-    add(fem::SlipTowards<Dim>{direction, velocity, context.along_fault});
-    add(fem::NoSlipSideways{direction, context.along_fault});
-  }
-}
-
-template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const&,
-                                BoundaryConditions<2>&);
-template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const&,
-                                BoundaryConditions<3>&);
-
-namespace
-{
 ConditionType faultType(std::string const& name, FaultKind const& kind)
 {
   ConditionType type;
@@ -126,7 +21,7 @@ ConditionType faultType(std::string const& name, FaultKind const& kind)
   type.meaning = kind.meaning;
   type.place = ConditionPlace::fault;
   type.decides_on = DecidesOn::traction;
-  type.makers = {fault<2>, fault<3>};
+  type.makers = {addFault<2>, addFault<3>};
   type.other_side = kind.other_side;
   type.reads = {"Direction", "Plate Rate", "Slip Rate"};
   return type;
@@ -205,4 +100,110 @@ bool ConditionType::readsEntry(std::string const& entry) const
 }
 
 ConditionType const& continuationType() { return conditionType(prescribed_slip_rate); }
+
+namespace
+{
+std::vector<std::string> typeNames()
+{
+  std::vector<std::string> names;
+  for (auto const& type : conditionTypes()) {
+    names.push_back(type.name);
+  }
+  return names;
+}
+
+std::string meaningOfType()
+{
+  std::string text = "Says what holds on the boundary.";
+  for (auto const& type : conditionTypes()) {
+    text += " " + type.name + ": " + type.meaning;
+  }
+  return text;
+}
+
+struct CommonEntries
+{
+  std::string boundary, type;
+  std::optional<std::vector<double>> direction;
+};
+
+// The entries that several types share.
+Entries<CommonEntries> commonEntries()
+{
+  using S = CommonEntries;
+  Entries<S> one_condition;
+  one_condition
+    .text("Boundary", &S::boundary, required,
+          "Names the boundary of the mesh on which the condition holds.")
+    .choiceOfWords("Type", &S::type, required, typeNames(), meaningOfType())
+    .realArray(
+      "Direction", &S::direction, optional, "-", Range::any(),
+      "Prescribed Velocity: components along the axes that say where the velocity points, of any "
+      "length; it points along +x if they are left out, and an antiplane body moves along z "
+      "alone. Prescribed Slip Rate, and faults with a Slip Rate or a Plate Rate, in three "
+      "dimensions: the slip points along the projection of this vector onto the boundary.")
+    .others()
+    .field("Plate Rate", optional, "m/s", Range::any(),
+           "Faults: says how fast the plates slide past each other along the fault (back slip). "
+           "Friction and all outputs of slip include this rate in addition to the motion of the "
+           "bodies, whose far boundaries are then at rest. It points along the tangent of the "
+           "fault's frame, in three dimensions along Direction, and is constant in time.")
+    .withoutDatasets()
+    .field("Slip Rate", optional, "m/s", Range::any(),
+           "Prescribed Slip Rate, and faults whose slip is known: says how fast the boundary "
+           "slips; in two dimensions along the tangent of the fault's frame, which points along "
+           "+x on a fault below the body. A fault with a slip rate has no friction.")
+    .withoutDatasets();
+  return one_condition;
+}
+} // namespace
+
+BoundaryCondition::BoundaryCondition(std::string const& path, ParameterList const& completed)
+    : name(path)
+    , list(completed)
+{
+  auto const common = commonEntries().read(list, name);
+  type = &conditionType(common.type);
+  boundary = common.boundary;
+  direction = common.direction;
+}
+
+RCP<const ParameterList> boundaryParameters()
+{
+  auto one_condition = commonEntries();
+  auto const& registry = BoundaryKindRegistry::instance();
+  for (auto const& name : registry.names()) {
+    if (auto const& declare = registry.at(name).declare) {
+      declare(one_condition.others());
+    }
+  }
+  auto const one = one_condition.list();
+  return Declare()
+    .sublist("<condition>", one, "Describes one boundary condition; choose any name.")
+    .list();
+}
+
+std::vector<BoundaryCondition> readConditions(ParameterList const& list)
+{
+  std::vector<BoundaryCondition> conditions;
+  for (auto const& entry : list) {
+    conditions.emplace_back(joinPath("Asperity / Boundary Conditions", entry.first),
+                            list.sublist(entry.first));
+  }
+  return conditions;
+}
+
+bool haveFriction(ParameterList const& list)
+{
+  auto const kinds = faultKinds();
+  return std::any_of(list.begin(), list.end(), [&](auto const& entry) {
+    if (!list.isSublist(entry.first)) {
+      return false;
+    }
+    auto const& condition = list.sublist(entry.first);
+    return condition.template isType<std::string>("Type") && !isGiven(condition, "Slip Rate") &&
+           std::find(kinds.begin(), kinds.end(), condition.template get<std::string>("Type")) !=
+             kinds.end();
+  });
+}
 } // namespace asperity::scenario

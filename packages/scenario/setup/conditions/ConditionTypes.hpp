@@ -42,8 +42,8 @@ template <int Dim>
 using ConditionMaker =
   std::function<void(BoundaryCondition const&, ConditionContext const&, BoundaryConditions<Dim>&)>;
 
-// A value of the entry `Type` of a boundary condition. BoundaryKindOf makes one of a struct that
-// describes a condition beside faults; ConditionTypes.cpp makes those of faults.
+// A value of the entry `Type` of a boundary condition. A kind of fault (FaultKind.hpp) becomes one,
+// and so does a struct that describes a condition on another boundary (BoundaryKindOf).
 struct ConditionType
 {
   static constexpr char const* registered_as = "boundary condition";
@@ -71,12 +71,6 @@ ConditionType const& conditionType(std::string const& name);
 // The one that continues a fault at a given slip rate.
 ConditionType const& continuationType();
 
-// Adds the condition on the velocity of a fault, or of its continuation, that the entries
-// `Slip Rate` and `Direction` describe; `result` has the faults.
-template <int Dim>
-void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& context,
-                       BoundaryConditions<Dim>& result);
-
 // One completed sublist of the deck's list `Boundary Conditions`.
 struct BoundaryCondition
 {
@@ -91,4 +85,14 @@ struct BoundaryCondition
   bool liesAlongFault() const { return type->place != ConditionPlace::elsewhere; }
   bool isFaultInside() const { return type->isFault() && type->other_side.is_inside; }
 };
+
+// The deck's list `Boundary Conditions`: one sublist, of any name, for each condition.
+RCP<const ParameterList> boundaryParameters();
+
+// The boundary conditions of the completed list, in the order of the deck.
+std::vector<BoundaryCondition> readConditions(ParameterList const& list);
+
+// Whether a condition in the list, which need not be complete, is of a fault with friction: of a
+// Type that is a kind of fault, without a slip rate.
+bool haveFriction(ParameterList const& list);
 } // namespace asperity::scenario

@@ -16,10 +16,11 @@ namespace
 {
 using Vectors = std::vector<std::vector<double>>;
 
-// addDirection adds the part of a unit vector that is at right angles to the others, scaled to
-// length 1. A part below this is rounding, or the bend of a fault within a facet.
+// The smallest part of a unit vector at right angles to others that counts as a direction of its
+// own. Smaller ones are rounding, or the bend of a fault within a facet.
 constexpr double smallest_part = 1e-6;
 
+// Adds the part of a unit vector that is at right angles to the others, scaled to length 1.
 void addDirection(Vectors& others, std::vector<double> direction)
 {
   const auto product = [](auto const& a, auto const& b) {

@@ -15,7 +15,7 @@ namespace asperity::scenario
 class ShearTraction
 {
 public:
-  // friction: the deck's list, of which `settings` has the settings. nodes: those of the surface.
+  // friction: the deck's list, whose settings are `settings`. nodes: those of the surface.
   ShearTraction(FrictionSettings const& settings, ParameterList const& friction,
                 FieldNodes const& nodes, fem::FaultSurface const& surface,
                 fem::NodalFrames const& frames);

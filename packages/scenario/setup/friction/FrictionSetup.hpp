@@ -20,7 +20,8 @@ inline constexpr char const* regularisation_list = "Prakash-Clifton";
 inline constexpr char const* regularisation_slip = "Slip Distance";
 inline constexpr char const* regularisation_time = "Time";
 
-// Its own entries: neither fields nor parameters of laws and processes.
+// The laws, and the entries of the list that are neither fields nor parameters of laws and
+// processes.
 struct FrictionSettings
 {
   LawChoice laws;

@@ -15,8 +15,9 @@ namespace asperity::scenario
 // Declares the choices of the two laws, and for every law the parameters of its table.
 void declareLaws(Declare& declare);
 
-// In a list that need not be complete: chooses no friction and no state where no fault has friction
-// and the list has neither a law nor a parameter of one, and no state where it chooses no friction.
+// Completes the choices of a list `Friction` that need not be complete otherwise. The friction law
+// becomes None where no fault has friction (is_needed = false) and the list has neither a law nor a
+// parameter of one; the state law becomes None where the friction law is None.
 void chooseLaws(ParameterList& friction, bool is_needed);
 
 // The names of the two laws.
@@ -26,25 +27,27 @@ struct LawChoice
 
   static LawChoice from(ParameterList const& list);
 
-  bool hasFrictionLaw() const; // the law is one of friction
-  bool hasState() const;       // and depends on a state
+  bool hasFrictionLaw() const; // the friction law is not None
+  bool hasState() const;       // the friction law depends on a state
   asperity::friction::FrictionLaw const& frictionLaw() const;
   asperity::friction::StateLaw const& stateLaw() const;
 };
 
-// Throws InputError if the friction law does not depend on the state of the state law, or not on
-// that which `what` needs.
+// Throws InputError unless the friction law depends on the state that the state law evolves.
 void requireSameState(LawChoice const& laws);
+// Throws InputError unless the friction law depends on the state variable `needed`; `what` is the
+// path of the process that changes it.
 void requireState(LawChoice const& laws, std::string const& needed, std::string const& what);
 
-// list: the deck's list `Friction`, here and below. Values of the chosen law's parameters at fault
-// nodes (num_parameters, num_nodes), on the device.
+// In all functions below, list is the deck's list `Friction`.
+
+// Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
 friction::ParameterView frictionLawValues(LawChoice const& laws, ParameterList const& list,
                                           FieldNodes const& nodes);
 friction::ParameterView stateLawValues(LawChoice const& laws, ParameterList const& list,
                                        FieldNodes const& nodes);
-friction::TableView stateTable(LawChoice const& laws,
-                               ParameterList const& list); // empty if the state law has none
+// The table of steady friction of the state law; empty if it has none.
+friction::TableView stateTable(LawChoice const& laws, ParameterList const& list);
 
 // Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
 // not declare the property.

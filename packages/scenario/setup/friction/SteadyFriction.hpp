@@ -3,7 +3,7 @@
 #include "friction/Table.hpp"
 #include "scenario/setup/ParameterTable.hpp"
 
-// The table that a state law with `has_table` takes steady friction from: two datasets of HDF5.
+// The table of steady friction for state laws with `has_table`: two datasets of HDF5.
 namespace asperity::scenario
 {
 void declareSteadyFriction(Declare& declare);

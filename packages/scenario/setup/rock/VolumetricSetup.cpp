@@ -1,4 +1,4 @@
-#include "scenario/setup/VolumetricSetup.hpp"
+#include "scenario/setup/rock/VolumetricSetup.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

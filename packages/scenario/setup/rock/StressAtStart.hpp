@@ -42,10 +42,11 @@ private:
 // `Normal Stress` over more than half of where the fault slides beside rock that takes that stress;
 // an overstressed patch is smaller. Both are evaluated at the nodes, so that they agree to rounding
 // however coarse the mesh is. The normal stress counts if both lists give it, and not antiplane.
-// components: of the displacement. nodes: those of the surface. Collective.
+// bulk, friction: the lists of the deck. components: of the displacement. nodes: those of the
+// surface. Collective.
 template <int Dim>
 std::optional<Warning>
-warnOfStressAtStart(ParameterList const& deck, int components, Mesh<Dim> const& mesh,
-                    fem::YieldingRock const& rock, FieldNodes const& nodes,
+warnOfStressAtStart(ParameterList const& bulk, ParameterList const& friction, int components,
+                    Mesh<Dim> const& mesh, fem::YieldingRock const& rock, FieldNodes const& nodes,
                     fem::FaultSurface const& surface, std::vector<double> const& shear_traction);
 } // namespace asperity::scenario

@@ -3,8 +3,8 @@
 #include "base/Warning.hpp"
 #include "fem/VolumetricPatches.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/setup/BulkSetup.hpp"
-#include "scenario/setup/RockSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
+#include "scenario/setup/rock/RockSetup.hpp"
 
 #include <string>
 #include <vector>
@@ -19,7 +19,8 @@ fem::VolumetricPatches makePatches(BulkSettings const& bulk, ParameterList const
                                    std::vector<std::string> const& faults, Mesh<Dim>& mesh,
                                    Rock& rock, Communicator const& communicator);
 
-// Of nearly incompressible cells that keep their volume each for itself. Collective.
+// A warning about nearly incompressible cells that take their mean stress from their own volumetric
+// strain, and are therefore too stiff; empty if there are none. Collective.
 std::vector<Warning> warnOfLocking(BulkSettings const& bulk, Rock const& rock,
                                    Communicator const& communicator);
 } // namespace asperity::scenario

@@ -1,10 +1,8 @@
-#include "scenario/setup/Upright.hpp"
+#include "scenario/problem/Upright.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "io/OutputSet.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +17,10 @@ using Direction = std::array<double, 3>;
 constexpr double near_axis = 0.766;   // cosine of 40 degrees
 constexpr double agreement = 0.5;     // cosine of 60 degrees, more than any slope
 constexpr double tilt = 0.866;        // cosine of 30 degrees, of gravity in a tilted sandbox
-constexpr double faces = 0.5;         // part of a surface's measure that its normal has to have
-constexpr double faces_one_way = 0.9; // the same of boundaries that are not named as the surface
+// A surface faces one way if the integral of its normal has this part of its measure, and more for
+// boundaries that are not named as the free surface.
+constexpr double faces = 0.5;
+constexpr double faces_one_way = 0.9;
 
 double length(Direction const& v) { return std::sqrt(mesh::dot<3>(v, v)); }
 
@@ -36,7 +36,7 @@ std::optional<Direction> unit(Direction v)
   return v;
 }
 
-// As a unit vector; nothing if it is not given or no direction, which its readers refuse.
+// As a unit vector. Empty if it is not given, or is zero, which is refused where it is used.
 std::optional<Direction> given(std::optional<std::vector<double>> const& numbers)
 {
   if (!numbers) {
@@ -92,20 +92,12 @@ std::string degreesBetween(Direction const& a, Direction const& b)
 }
 } // namespace
 
-bool isLeftOut(ParameterList const& list, std::string const& name)
-{
-  auto const* entry = list.getEntryPtr(name);
-  return entry == nullptr || entry->isDefault(); // as completeDirections() writes it
-}
-
-Upright uprightOf(BulkSettings const& bulk, ParameterList const& output, int dimension,
-                  FreeSurface const& surface, FreeSurface const& open)
+Upright uprightOf(BulkSettings const& bulk, std::optional<std::vector<double>> const& given_up,
+                  int dimension, FreeSurface const& surface, FreeSurface const& open)
 {
   auto const names = quotedNames(surface.boundaries);
   const bool has_gravity = bulk.hasGravity();
-  auto const up = dimension == 3 && !isLeftOut(output, "Up")
-                    ? given(io::DirectionUp::from(output).up)
-                    : std::nullopt;
+  auto const up = dimension == 3 ? given(given_up) : std::nullopt;
   auto const down = has_gravity ? given(bulk.gravity_direction) : std::nullopt;
   auto const outward = facing(surface, faces);
   const std::string entry_up = "Asperity / Output / Up",
@@ -171,23 +163,5 @@ std::optional<Warning> warnOfUp(BulkSettings const& bulk, int dimension, Upright
     "Gravity acts, and nothing says which way is up: it is taken as " + entryText(upright.up, 3) +
       ". Elsewhere the weight of the rock would act along its surface. Give the surface the Type "
       "Free Surface, or give Bulk / Gravity Direction or Output / Up."};
-}
-
-ParameterList& completeDirections(ParameterList& deck, int dimension, Upright const& upright)
-{
-  const auto set = [](ParameterList& list, char const* name, std::vector<double> const& value) {
-    if (isLeftOut(list, name)) {
-      list.setEntry(name, Teuchos::ParameterEntry(Teuchos::Array<double>(value), true));
-    }
-  };
-  auto const& up = upright.up;
-  set(deck.sublist("Output"), "Up", std::vector<double>{up[0], up[1], up[2]});
-  auto const down = opposite(up);
-  std::vector<double> direction = {down[0], down[1]};
-  if (dimension == 3 && down[2] != 0) {
-    direction.push_back(down[2]);
-  }
-  set(deck.sublist("Bulk"), "Gravity Direction", direction);
-  return deck;
 }
 } // namespace asperity::scenario

@@ -6,7 +6,7 @@
 #include "fem/inelastic/InelasticCells.hpp"
 #include "mesh/Mesh.hpp"
 #include "parameters/Parameters.hpp"
-#include "scenario/setup/BulkSetup.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <array>
 #include <optional>
@@ -22,7 +22,7 @@ struct Rock
   std::optional<fem::YieldingRock> yielding; // on all ranks or on none
 };
 
-// list: the deck's list `Bulk`, of which `bulk` has the settings. Throws InputError unless all
+// list: the deck's list `Bulk`, whose settings are `bulk`. Throws InputError unless all
 // cells together have few relaxation times. Collective.
 template <int Dim>
 Rock makeRock(BulkSettings const& bulk, ParameterList const& list, Mesh<Dim> const& mesh,

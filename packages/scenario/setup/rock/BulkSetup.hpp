@@ -24,7 +24,7 @@ enum class VolumetricStrain
   of_patch
 };
 
-// Its own entries: neither fields nor parameters of laws.
+// The entries of the list that are neither fields nor parameters of laws.
 struct BulkSettings
 {
   int components = 2; // of the displacement: 1 antiplane, 2 in plane strain, 3 of a solid

@@ -1,4 +1,4 @@
-#include "scenario/setup/StressAtStart.hpp"
+#include "scenario/setup/rock/StressAtStart.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
@@ -136,12 +136,11 @@ void StressAtStart::append(CellPlace const& place, int components, fem::Yielding
 
 template <int Dim>
 std::optional<Warning>
-warnOfStressAtStart(ParameterList const& deck, int components, Mesh<Dim> const& mesh,
-                    fem::YieldingRock const& rock, FieldNodes const& nodes,
+warnOfStressAtStart(ParameterList const& bulk, ParameterList const& friction, int components,
+                    Mesh<Dim> const& mesh, fem::YieldingRock const& rock, FieldNodes const& nodes,
                     fem::FaultSurface const& surface, std::vector<double> const& shear_traction)
 {
-  auto const& list = deck.sublist("Bulk").sublist(StressAtStart::list_name);
-  auto const& friction = deck.sublist("Friction");
+  auto const& list = bulk.sublist(StressAtStart::list_name);
   if (!hasGivenEntry(list)) {
     return std::nullopt;
   }
@@ -216,8 +215,8 @@ warnOfStressAtStart(ParameterList const& deck, int components, Mesh<Dim> const& 
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template std::optional<Warning> warnOfStressAtStart(                                             \
-    ParameterList const&, int, Mesh<Dim> const&, fem::YieldingRock const&, FieldNodes const&,      \
-    fem::FaultSurface const&, std::vector<double> const&);
+    ParameterList const&, ParameterList const&, int, Mesh<Dim> const&, fem::YieldingRock const&,   \
+    FieldNodes const&, fem::FaultSurface const&, std::vector<double> const&);
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)
 #undef ASPERITY_INSTANTIATE

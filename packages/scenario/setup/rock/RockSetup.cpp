@@ -1,4 +1,4 @@
-#include "scenario/setup/RockSetup.hpp"
+#include "scenario/setup/rock/RockSetup.hpp"
 
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Gather.hpp"
@@ -6,12 +6,12 @@
 #include "fem/Simplex.hpp"
 #include "fem/bulk/BulkLaw.hpp"
 #include "parameters/ParameterValue.hpp"
-#include "scenario/setup/BulkEntries.hpp"
-#include "scenario/setup/BulkSetup.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 #include "scenario/setup/ParameterTable.hpp"
-#include "scenario/setup/StressAtStart.hpp"
+#include "scenario/setup/rock/BulkEntries.hpp"
+#include "scenario/setup/rock/BulkSetup.hpp"
+#include "scenario/setup/rock/StressAtStart.hpp"
 
 #include <algorithm>
 #include <cmath>

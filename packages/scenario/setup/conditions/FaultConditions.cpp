@@ -1,0 +1,117 @@
+#include "scenario/setup/conditions/FaultConditions.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "parameters/fields/Field.hpp"
+#include "scenario/setup/NodalField.hpp"
+#include "scenario/setup/conditions/ConditionEntries.hpp"
+#include "scenario/setup/conditions/FaultKind.hpp"
+
+#include <cmath>
+#include <memory>
+
+namespace asperity::scenario
+{
+namespace
+{
+// The velocity v_t of the bodies at a given slip rate. Under back slip it is without the plates:
+// slip rate = slip factor v_t + Vp, where Vp is the plate rate of the first fault that has one.
+template <int Dim>
+fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
+                                         BoundaryConditions<Dim> const& conditions)
+{
+  auto const plate = conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
+  const double factor = conditions.other_side.slip_factor;
+  auto const of_bodies = [rate, plate, factor](Point<Dim> const& x, double t) {
+    return ((*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0)) /
+           factor;
+  };
+  return {of_bodies, rate->dependsOnTime()};
+}
+
+// In three dimensions the continuation of a fault slips in the direction of the plates.
+template <int Dim>
+void requireDirectionOfPlates(BoundaryCondition const& condition,
+                              std::vector<double> const& direction,
+                              BoundaryConditions<Dim> const& conditions)
+{
+  if (conditions.plate_rates.empty()) {
+    return;
+  }
+  auto const& plate = conditions.plate_rates.front();
+  auto const& of_plates = plate.direction;
+  double product = 0;
+  double squares = 1;
+  for (auto const* vector : {&direction, &of_plates}) {
+    squares *=
+      (*vector)[0] * (*vector)[0] + (*vector)[1] * (*vector)[1] + (*vector)[2] * (*vector)[2];
+  }
+  for (int d = 0; d < 3; ++d) {
+    product += direction[d] * of_plates[d];
+  }
+  ASPERITY_REQUIRE(product >= std::sqrt(squares) * (1 - 1e-12),
+                   joinPath(condition.name, "Direction")
+                     << " is not that of " << plate.name
+                     << ", which has a Plate Rate: its continuation slips in the same direction. "
+                        "Give both the same.");
+}
+} // namespace
+
+template <int Dim>
+void addFault(BoundaryCondition const& condition, ConditionContext const& context,
+              BoundaryConditions<Dim>& result)
+{
+  auto const& other_side = condition.type->other_side;
+  ASPERITY_REQUIRE(result.faults.empty() || (result.other_side.is_inside && other_side.is_inside),
+                   condition.name << ": there is already a fault, the boundary '"
+                                  << result.faults.front()
+                                  << "'. There can be several only if all are of the Type "
+                                  << quotedAlternatives(faultKindsInside()) << ".");
+  result.faults.push_back(condition.boundary);
+  if (isGiven(condition.list, "Slip Rate")) {
+    result.given_slip.push_back(condition.boundary);
+  }
+  result.other_side = other_side;
+  auto const plate = plateRateOf(condition, context.components);
+  if (plate) {
+    result.plate_rates.push_back(plate);
+  }
+}
+
+template <int Dim>
+void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& context,
+                       BoundaryConditions<Dim>& result)
+{
+  ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
+                   joinPath(condition.name, "Slip Rate")
+                     << " is missing: the rate at which the boundary slips, 0 if it is locked.");
+  auto const rate = fieldIfGiven(condition, "Slip Rate");
+  auto const velocity = withoutPlates(rate, result);
+  if (context.components < 3) {
+    refuseDirection(condition, "in two dimensions a fault slips along its tangent");
+  }
+  const auto add = [&](typename fem::VelocityCondition<Dim>::Kind const& kind) {
+    result.velocities.push_back({condition.name, condition.boundary, kind});
+  };
+  if (context.components == 1) {
+    add(fem::PrescribedVelocity<Dim>{{1.}, velocity});
+  } else if (context.components == 2) {
+    add(fem::SlipAlongTangent<Dim>{velocity, context.along_fault});
+  } else {
+    auto const direction = directionOf(condition, context.components);
+    requireDirectionOfPlates(condition, direction, result);
+    add(fem::SlipTowards<Dim>{direction, velocity, context.along_fault});
+    add(fem::NoSlipSideways{direction, context.along_fault});
+  }
+}
+
+#define ASPERITY_INSTANTIATE(Dim)                                                                  \
+  template void addFault(BoundaryCondition const&, ConditionContext const&,                        \
+                         BoundaryConditions<Dim>&);                                                \
+  template void prescribeSlipRate(BoundaryCondition const&, ConditionContext const&,               \
+                                  BoundaryConditions<Dim>&);
+
+ASPERITY_INSTANTIATE(2)
+ASPERITY_INSTANTIATE(3)
+#undef ASPERITY_INSTANTIATE
+} // namespace asperity::scenario
