@@ -14,9 +14,9 @@ namespace
 {
 using Direction = std::array<double, 3>;
 
-constexpr double near_axis = 0.766;   // cosine of 40 degrees
-constexpr double agreement = 0.5;     // cosine of 60 degrees, more than any slope
-constexpr double tilt = 0.866;        // cosine of 30 degrees, of gravity in a tilted sandbox
+constexpr double near_axis = 0.766; // cosine of 40 degrees
+constexpr double agreement = 0.5;   // cosine of 60 degrees, more than any slope
+constexpr double tilt = 0.866;      // cosine of 30 degrees, of gravity in a tilted sandbox
 // A surface faces one way if the integral of its normal has this part of its measure, and more for
 // boundaries that are not named as the free surface.
 constexpr double faces = 0.5;
