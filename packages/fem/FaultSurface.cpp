@@ -1,9 +1,11 @@
 #include "fem/FaultSurface.hpp"
 
 #include "base/Errors.hpp"
+#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/Colouring.hpp"
+#include "mesh/PointText.hpp"
 #include "mesh/SplitVertices.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
@@ -122,6 +124,22 @@ void addTraction(FaultSurface const& surface, std::vector<double> const& tractio
     });
 }
 
+namespace
+{
+template <int Dim>
+void refuseCrossings(Mesh<Dim> const& mesh, Communicator const& communicator)
+{
+  onEveryRank(communicator, [&] {
+    for (auto const& [place, faults] : mesh::namedCrossings(mesh)) {
+      auto const& [a, b] = std::minmax(faults[0], faults[1]);
+      throw InputError("Asperity / Mesh: faults '" + a + "' and '" + b + "' cross at " +
+                       mesh::text(place) +
+                       ". Simulations need a fault that ends at the other one or before it.");
+    }
+  });
+}
+} // namespace
+
 template <int Dim>
 std::shared_ptr<const FaultSurface>
 makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
@@ -129,6 +147,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  OtherSide const& other_side, Boundaries const& given_slip)
 {
   constexpr int num_tangents = Dim - 1;
+  refuseCrossings(mesh, *dofs.communicator());
   if (boundary.empty()) {
     return std::make_shared<FaultSurface>(boundary, std::vector<FaultNode>(), num_tangents,
                                           constraints.held(), std::vector<IndexView>(), other_side,

@@ -15,7 +15,8 @@ using Point = std::array<double, Dim>;
 // Two vertices at one place, on the two sides of a fault inside the body. At a tip the body is not
 // cut: no cell refers to `plus`, only facets of the fault do, and `minus` is the vertex of the
 // cells around it. Where a fault branches off another one, the `minus` of its tip is the vertex on
-// the side of the other fault on which the branch lies, and may itself be the plus of a pair.
+// the side of the other fault on which the branch lies, and may itself be the plus of a pair. Where
+// two faults cross in the plane, three pairs have one minus (Crossings.hpp).
 struct SplitVertex
 {
   int plus = 0;
@@ -61,8 +62,8 @@ struct Mesh
   //
   // The facets of a fault inside the body are those of its plus side, oriented outward from the
   // body there. They consist of plus vertices only, also at tips; with minus instead of plus they
-  // are the facets of the other side (SplitVertices.hpp). Their normal points from plus to
-  // minus.
+  // are the facets of the other side, but for the end at a crossing (SplitVertices.hpp gives both
+  // sides). Their normal points from plus to minus.
   std::map<std::string, std::vector<Facet>> boundaries;
 
   std::vector<SplitVertex> splits; // local vertex numbers, ascending in plus

@@ -36,6 +36,7 @@ void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
                               "pair is a tip and its first vertex belongs to one.");
     before = plus;
   }
+  checkCrossings(mesh, where);
 }
 
 template <int Dim>

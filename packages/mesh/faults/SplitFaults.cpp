@@ -123,18 +123,39 @@ private:
                                  [this](Facet const& key) { return faultFacet(key); });
     const auto decision =
       detail::splitVertex<Dim>(star,
-                               {mesh_.vertices[vertex], facets_at_[number],
+                               {vertex, mesh_.vertices[vertex], facets_at_[number],
                                 on_surface_.count(vertex) > 0, isOnTrace(vertex)},
                                facets_, names_, where_);
     const int plus = addCopy(vertex, vertex, !decision.is_cut);
-    for (int cell : decision.plus_cells) {
-      auto& vertices = result_.cells[cell];
-      std::replace(vertices.begin(), vertices.end(), vertex, plus);
-    }
     copies_.push_back(plus);
+    if (decision.crossing) {
+      splitAtCrossing(vertex, plus, *decision.crossing);
+      return;
+    }
+    giveVertex(decision.plus_cells, vertex, plus);
     for (auto const& branch : decision.branches) {
-      tips_of_branches_[{branch.fault, vertex}] =
+      own_copies_[{branch.fault, vertex}] =
         addCopy(vertex, branch.is_on_plus_side ? plus : vertex, true);
+    }
+  }
+
+  // plus_of_first: the copy that the vertex already has. The pairs are in the order of
+  // mesh::Crossing.
+  void splitAtCrossing(int vertex, int plus_of_first, detail::VertexSplit::Crossing const& crossing)
+  {
+    const int plus_of_second = addCopy(vertex, vertex, false);
+    const int both = addCopy(vertex, vertex, false);
+    own_copies_[{crossing.faults[1], vertex}] = plus_of_second;
+    giveVertex(crossing.plus_cells[0], vertex, plus_of_first);
+    giveVertex(crossing.plus_cells[1], vertex, plus_of_second);
+    giveVertex(crossing.both_cells, vertex, both);
+  }
+
+  void giveVertex(std::vector<int> const& cells, int vertex, int copy)
+  {
+    for (int cell : cells) {
+      auto& vertices = result_.cells[cell];
+      std::replace(vertices.begin(), vertices.end(), vertex, copy);
     }
   }
 
@@ -149,8 +170,8 @@ private:
   // The copy of a vertex that the facets of a fault use.
   int plusOf(int fault, int vertex) const
   {
-    const auto branch = tips_of_branches_.find({fault, vertex});
-    return branch == tips_of_branches_.end() ? copies_[number_[vertex]] : branch->second;
+    const auto own = own_copies_.find({fault, vertex});
+    return own == own_copies_.end() ? copies_[number_[vertex]] : own->second;
   }
 
   void requireNodesThatSlip() const
@@ -211,7 +232,8 @@ private:
   std::set<int> on_surface_;
   std::set<std::pair<int, int>> edges_on_surface_;
   std::vector<int> copies_; // the plus of the fault's vertex with this number
-  std::map<std::pair<int, int>, int> tips_of_branches_; // by fault and vertex
+  // By fault and vertex: the tips of branches, and the plus of the second fault at a crossing.
+  std::map<std::pair<int, int>, int> own_copies_;
   GlobalMesh<Dim> result_;
 };
 } // namespace

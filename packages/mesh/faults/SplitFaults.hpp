@@ -17,11 +17,13 @@ namespace asperity::mesh
 // Copies: if the facets of the faults divide the cells at a vertex into two sets, the cells of the
 // plus side get a copy of the vertex, plus, and all others keep the vertex, minus. If they do not
 // divide the cells, the fault ends inside the body: a tip. A fault whose facets divide the cells on
-// one side of another fault, or only touch it, is a branch and ends there with a tip. Copies are
-// numbered after the original vertices, in the order of these; cells and facets keep their order.
+// one side of another fault, or only touch it, is a branch and ends there with a tip. Where two
+// faults cross in the plane, each of the four sets of cells has a vertex (Crossings.hpp). Copies
+// are numbered after the original vertices, in the order of these; cells and facets keep their
+// order.
 //
-// InputError, which starts with `where`, for faults that cross or otherwise need a third copy of a
-// vertex, that cannot be oriented, that touch the surface of the body in a single point, or that
+// InputError, which starts with `where`, for faults that cross in space, for three that meet and go
+// on, or that otherwise need more copies of a vertex, that touch without crossing, that cannot be oriented, that touch the surface of the body in a single point, or that
 // have only tips; for a facet in two faults; for a boundary that is partly inside the body; for a
 // periodic mesh.
 template <int Dim>

@@ -174,14 +174,8 @@ void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& f
 template <int Dim>
 Edge FaultEdges<Dim>::edgeOfFacet(Edge const& edge) const
 {
-  Edge plus_edge = edge, minus_edge = edge;
-  for (int i = 0; i < 2; ++i) {
-    if (auto const* pair = sides_.find(edge[i])) {
-      plus_edge[i] = pair->is_tip ? pair->minus : pair->plus;
-      minus_edge[i] = pair->minus;
-    }
-  }
-  return plus_edge == minus_edge ? edge : plus_edge;
+  const Edge plus_edge = sides_.plusSide(edge);
+  return plus_edge == sides_.minusSide(edge) ? edge : plus_edge;
 }
 
 template class FaultEdges<2>;

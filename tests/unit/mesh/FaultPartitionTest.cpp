@@ -23,6 +23,15 @@ GlobalMesh<2> branchedRectangle()
                                 4));
 }
 
+// Two faults cross `main`, one of them at a facet's length from the other.
+GlobalMesh<2> crossedRectangle()
+{
+  return split(faultedRectangle({{"first", [](auto& p) { return p[0] == 2.0; }},
+                                 {"main", [](auto& p) { return p[1] == 0.0; }},
+                                 {"second", [](auto& p) { return p[0] == 2.25; }}},
+                                4));
+}
+
 GlobalMesh<3> branchedBox()
 {
   return split(
@@ -120,6 +129,32 @@ void expectGoodParts(GlobalMesh<Dim> const& mesh)
 
 TEST(FaultPartition, KeepsPairsTogetherInThePlane) { expectGoodParts(branchedRectangle()); }
 TEST(FaultPartition, KeepsPairsTogetherInSpace) { expectGoodParts(branchedBox()); }
+
+TEST(FaultPartition, KeepsTheCopiesOfACrossingTogether)
+{
+  const auto mesh = crossedRectangle();
+  expectGoodParts(mesh);
+  std::set<std::array<long long, 4>> expected;
+  for (auto const& [mean, plus, both] : crossingsOf(mesh.splits)) {
+    expected.insert({mean, plus[0], plus[1], both});
+  }
+  ASSERT_EQ(expected.size(), 2u);
+  for (int num_parts : {2, 3, 5}) {
+    std::multiset<std::array<long long, 4>> owned;
+    for (auto const& part : localParts(mesh, partitionVertices(mesh, num_parts), num_parts)) {
+      auto const& ids = part.mesh.global_ids;
+      for (auto const& [mean, plus, both] : crossingsOf(part.mesh.splits)) {
+        const std::array<long long, 4> crossing = {ids[mean], ids[plus[0]], ids[plus[1]],
+                                                   ids[both]};
+        EXPECT_EQ(expected.count(crossing), 1u) << "copies exchange their places";
+        if (mean < part.mesh.num_owned) {
+          owned.insert(crossing);
+        }
+      }
+    }
+    EXPECT_EQ(owned, std::multiset(expected.begin(), expected.end()));
+  }
+}
 
 TEST(FaultPartition, OnePartIsTheMesh)
 {

@@ -271,7 +271,8 @@ class Refusals(Geometry):
             "Line(8) = {10, 8};").replace(
             "Curve{6} In", "Curve{6, 16, 7, 8} In").replace(
             'Curve("fault") = {6};', 'Curve("fault") = {6, 16}; Physical Curve("dyke") = {7, 8};')
-        self.assert_not_converted(crossing, "faults 'dyke' and 'fault' cross at (2, 1)")
+        self.convert(crossing)
+        self.assertRegex(self.assert_done("info", "case.h5"), r"dyke.* 2 tips")
 
     def test_a_fault_without_a_node_that_slips(self):
         self.assert_not_converted(SHORT, "fault 'fault' has no node that could slip", "refine")

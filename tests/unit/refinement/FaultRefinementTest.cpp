@@ -54,6 +54,17 @@ std::multiset<std::vector<Copy<Dim>>> pairsOf(GlobalMesh<Dim> const& mesh)
   return ofCopies(pairs, copies(mesh));
 }
 
+// The places of crossings, with the names of their faults.
+template <int Dim>
+std::set<std::pair<Point<Dim>, std::array<std::string, 2>>> crossingsAt(GlobalMesh<Dim> const& mesh)
+{
+  std::set<std::pair<Point<Dim>, std::array<std::string, 2>>> result;
+  for (auto const& [place, faults] : mesh::namedCrossings(mesh)) {
+    result.insert({place, faults});
+  }
+  return result;
+}
+
 // The same cells on the same sides of the same faults, whatever the numbers.
 template <int Dim>
 void expectSameSplit(GlobalMesh<Dim> const& refined, GlobalMesh<Dim> const& made)
@@ -63,6 +74,7 @@ void expectSameSplit(GlobalMesh<Dim> const& refined, GlobalMesh<Dim> const& made
   EXPECT_TRUE(pairsOf(refined) == pairsOf(made));
   EXPECT_TRUE(ofCopies(refined.cells, copies(refined)) == ofCopies(made.cells, copies(made)));
   EXPECT_EQ(refined.faults, made.faults);
+  EXPECT_EQ(crossingsAt(refined), crossingsAt(made));
   for (auto const& [name, facets] : made.boundaries) {
     EXPECT_TRUE(ofCopies(refined.boundaries.at(name), copies(refined)) ==
                 ofCopies(facets, copies(made)))
@@ -153,6 +165,20 @@ TEST(FaultRefinement, OfBranchesInThePlane)
   const auto coarse = slanted(branchInThePlane(), 4);
   expectSameSplit(wholeRefined(coarse, 1), slanted(branchInThePlane(), 8));
   expectSameSplit(wholeRefined(coarse, 2), slanted(branchInThePlane(), 16));
+  expectGoodParts(coarse, 1);
+  expectGoodParts(coarse, 3);
+}
+
+// Two faults that cross a third one, at facets that have a crossing at each end.
+TEST(FaultRefinement, OfCrossings)
+{
+  const Conditions<2> faults = {{"first", [](auto& p) { return p[0] == 2.0; }},
+                                {"main", [](auto& p) { return p[1] == 0.0 && p[0] >= 1.0; }},
+                                {"second", [](auto& p) { return p[0] == 3.0 && p[1] >= -1.0; }}};
+  const auto coarse = slanted(faults, 4);
+  ASSERT_EQ(crossingsAt(coarse).size(), 2u);
+  expectSameSplit(wholeRefined(coarse, 1), slanted(faults, 8));
+  expectSameSplit(wholeRefined(coarse, 2), slanted(faults, 16));
   expectGoodParts(coarse, 1);
   expectGoodParts(coarse, 3);
 }

@@ -49,6 +49,9 @@ public:
       requireTipInside();
       return {};
     }
+    if (sets.count == 4 && Dim == 2 && faults_.size() == 2 && !vertex_.is_on_surface) {
+      return splitAtCrossing();
+    }
     if (sets.count > 3) {
       refuseCrossing(sets.count);
     }
@@ -77,8 +80,9 @@ private:
                                : " crosses itself") +
       " at " + text(vertex_.place) + ": the cells there are in " + std::to_string(num_sets) +
       " parts, and more than two copies of a node are supported only where a fault with one name "
-      "ends inside the body at another fault. Let one fault, with a name of its own, end at the "
-      "other or before it.");
+      "ends inside the body at another fault" +
+      (Dim == 2 ? ", or two faults, each with one name, cross inside the body" : "") +
+      ". Let one fault, with a name of its own, end at the other or before it.");
   }
 
   // Each of three faults ends here, and any two of them could be the one that goes on.
@@ -140,17 +144,80 @@ private:
     return splitAlong(main, star_.cut([&](int facet) { return main.count(faultOf(facet)) > 0; }));
   }
 
+  // Four sets in the plane: each of two faults that go on divides all cells in two.
+  VertexSplit splitAtCrossing() const
+  {
+    VertexSplit::Crossing crossing;
+    crossing.faults = {*faults_.begin(), *faults_.rbegin()};
+    const auto cells_left_of = [&](int fault) {
+      const auto sets = star_.cut([&](int facet) { return faultOf(facet) == fault; });
+      return cellsIn(sets, plusSet({fault}, sets));
+    };
+    auto plus_of_first = cells_left_of(crossing.faults[0]);
+    auto plus_of_second = cells_left_of(crossing.faults[1]);
+    if (!runsInto(crossing.faults[1], plus_of_first)) {
+      std::swap(crossing.faults[0], crossing.faults[1]);
+      std::swap(plus_of_first, plus_of_second);
+    }
+    const auto has = [](std::vector<int> const& cells, int cell) {
+      return std::find(cells.begin(), cells.end(), cell) != cells.end();
+    };
+    bool touches_neither = false;
+    for (int cell : star_.cells()) {
+      const bool first = has(plus_of_first, cell), second = has(plus_of_second, cell);
+      if (first || second) {
+        (first && second ? crossing.both_cells : crossing.plus_cells[first ? 0 : 1])
+          .push_back(cell);
+      }
+      touches_neither = touches_neither || (!first && !second);
+    }
+    // Faults that only touch each other leave one of the four without a cell.
+    if (!touches_neither || crossing.both_cells.empty() || crossing.plus_cells[0].empty() ||
+        crossing.plus_cells[1].empty()) {
+      refuseTouching();
+    }
+    VertexSplit split;
+    split.is_cut = true;
+    split.crossing = std::move(crossing);
+    return split;
+  }
+
+  // Whether the facet of the fault that begins at the vertex lies among these cells.
+  bool runsInto(int fault, std::vector<int> const& cells) const
+  {
+    return std::any_of(vertex_.facets.begin(), vertex_.facets.end(), [&](int number) {
+      auto const& facet = facets_[static_cast<std::size_t>(number)];
+      return facet.fault == fault && facet.outward[0] == vertex_.number &&
+             std::find(cells.begin(), cells.end(), facet.cells[0]) != cells.end();
+    });
+  }
+
+  [[noreturn]] void refuseTouching() const
+  {
+    throw InputError(where_ + ": " + list(faults_, names_) + " touch each other at " +
+                     text(vertex_.place) +
+                     " and go on without crossing. Separate them by a cell or two, or give their "
+                     "parts names so that one goes on and the others end at it.");
+  }
+
+  std::vector<int> cellsIn(Sets const& sets, int set) const
+  {
+    std::vector<int> cells;
+    for (std::size_t c = 0; c < star_.cells().size(); ++c) {
+      if (sets.set_of_cell[c] == set) {
+        cells.push_back(star_.cells()[c]);
+      }
+    }
+    return cells;
+  }
+
   // Every facet of the main fault is between the two sets, and every branch within one of them.
   VertexSplit splitAlong(std::set<int> const& main, Sets const& sets) const
   {
     VertexSplit split;
     split.is_cut = true;
     const int plus = plusSet(main, sets);
-    for (std::size_t c = 0; c < star_.cells().size(); ++c) {
-      if (sets.set_of_cell[c] == plus) {
-        split.plus_cells.push_back(star_.cells()[c]);
-      }
-    }
+    split.plus_cells = cellsIn(sets, plus);
     for (int fault : faults_) {
       if (main.count(fault) == 0) {
         split.branches.push_back({fault, setOfBranch(fault, sets) == plus});

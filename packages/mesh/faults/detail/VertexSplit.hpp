@@ -3,6 +3,8 @@
 #include "mesh/faults/detail/FaultFacets.hpp"
 #include "mesh/faults/detail/Star.hpp"
 
+#include <optional>
+
 namespace asperity::mesh::detail
 {
 // How one vertex of a fault is split.
@@ -16,12 +18,20 @@ struct VertexSplit
     bool is_on_plus_side; // of the cut
   };
   std::vector<Branch> branches; // faults with a tip at the cut, ascending
+  struct Crossing               // of two faults, with the first and second one of mesh::Crossing
+  {
+    std::array<int, 2> faults;
+    std::array<std::vector<int>, 2> plus_cells; // on the plus side of this fault alone
+    std::vector<int> both_cells;                // on the plus side of both
+  };
+  std::optional<Crossing> crossing; // then is_cut, and plus_cells and branches are empty
 };
 
 // A vertex of a fault and its surroundings.
 template <int Dim>
 struct FaultVertex
 {
+  int number;
   Point<Dim> place;
   std::vector<int> facets; // of faults, at the vertex
   bool is_on_surface;      // of the body

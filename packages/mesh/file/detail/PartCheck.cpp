@@ -93,6 +93,7 @@ void checkPairs(Mesh<Dim> const& part, std::string const& where)
                            << ", a pair at a fault, are not at one place, or have two owners.");
     before = plus;
   }
+  checkCrossings(part, where);
 }
 
 template <int Dim>

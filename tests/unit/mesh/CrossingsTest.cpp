@@ -1,0 +1,331 @@
+#include "FaultSamples.hpp"
+
+#include "mesh/Crossings.hpp"
+#include "mesh/MeshQuality.hpp"
+
+#include <cmath>
+#include <random>
+
+using namespace asperity;
+using namespace asperity::mesh;
+
+namespace
+{
+bool isOnXAxis(Point<2> const& p) { return p[1] == 0.0; }
+bool isAtTwo(Point<2> const& p) { return p[0] == 2.0; }
+bool isOnDiagonal(Point<2> const& p) { return p[0] - 2.0 == p[1]; }
+
+// [0, 4] x [-2, 2] with faults along x = 2, whose plus side is the right one, and along y = 0.
+GlobalMesh<2> cross(int cells_per_unit = 1)
+{
+  return faultedRectangle({{"dyke", isAtTwo}, {"main", isOnXAxis}}, cells_per_unit);
+}
+
+using Names = std::array<std::string, 2>;
+
+// The cells that have a vertex lie where `is_there` holds at their centroids.
+template <class IsThere>
+void expectCellsOf(GlobalMesh<2> const& mesh, int vertex, IsThere const& is_there)
+{
+  int num_cells = 0;
+  for (auto const& cell : mesh.cells) {
+    if (std::count(cell.begin(), cell.end(), vertex) > 0) {
+      EXPECT_TRUE(is_there(centroid(corners(mesh, cell)))) << vertex;
+      ++num_cells;
+    }
+  }
+  EXPECT_GT(num_cells, 0) << vertex;
+}
+
+// FaultSides gives each facet of a fault the cells on its two sides: left of it is its plus side.
+void expectSidesOfFacets(GlobalMesh<2> const& mesh)
+{
+  const FaultSides<2> sides(mesh.splits);
+  const detail::FacetTable<2> table(mesh.cells);
+  for (auto const& name : mesh.faults) {
+    for (auto const& facet : mesh.boundaries.at(name)) {
+      const auto points = corners(mesh, facet);
+      for (const bool is_plus : {true, false}) {
+        const auto [first, last] =
+          table.find(is_plus ? sides.plusSide(facet) : sides.minusSide(facet));
+        bool is_found = false; // between two tips both cells have the facet
+        for (auto entry = first; entry != last; ++entry) {
+          const auto inside = centroid(corners(mesh, mesh.cells[entry->cell]));
+          const bool is_left = dot<2>(difference<2>(inside, points[0]), areaNormal(points)) < 0.0;
+          is_found = is_found || is_left == is_plus;
+        }
+        EXPECT_TRUE(is_found) << name << " at " << points[0][0] << ", " << points[0][1];
+      }
+    }
+  }
+}
+
+void expectRefused(GlobalMesh<2> mesh, std::vector<std::string> const& pieces)
+{
+  test::expectRefusal([&] { splitFaults(mesh, "Here"); }, pieces);
+  EXPECT_TRUE(mesh.splits.empty());
+}
+} // namespace
+
+TEST(Crossings, GiveEachSectorAVertex)
+{
+  const auto mesh = goodSplit(cross(), 0, 4 + 4 + 3);
+  const auto crossings = crossingsOf(mesh.splits);
+  ASSERT_EQ(crossings.size(), 1u);
+  auto const& crossing = crossings[0];
+  const auto pairs = pairsAt<2>(mesh, {2.0, 0.0});
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_EQ(crossing.mean, 12);
+  EXPECT_EQ(crossing.plus, (std::array<int, 2>{pairs[0].plus, pairs[1].plus}));
+  EXPECT_EQ(crossing.both, pairs[2].plus);
+  // The main fault runs to +x, the plus side of the dyke, which is therefore the first one.
+  const auto named = namedCrossings(mesh);
+  ASSERT_EQ(named.size(), 1u);
+  EXPECT_EQ(named[0].place, (Point<2>{2.0, 0.0}));
+  EXPECT_EQ(named[0].faults, (Names{"dyke", "main"}));
+  expectCellsOf(mesh, crossing.mean, [](auto const& x) { return x[0] < 2 && x[1] < 0; });
+  expectCellsOf(mesh, crossing.plus[0], [](auto const& x) { return x[0] > 2 && x[1] < 0; });
+  expectCellsOf(mesh, crossing.plus[1], [](auto const& x) { return x[0] < 2 && x[1] > 0; });
+  expectCellsOf(mesh, crossing.both, [](auto const& x) { return x[0] > 2 && x[1] > 0; });
+}
+
+TEST(Crossings, KeepSidesNodesAndAreasOfEachFault)
+{
+  const auto mesh = split(cross(2));
+  expectSidesOfFacets(mesh);
+  EXPECT_EQ(upOf(mesh, "main"), (Point<2>{0.0, 4.0}));
+  EXPECT_EQ(upOf(mesh, "dyke"), (Point<2>{4.0, 0.0}));
+  EXPECT_EQ(boundaryVertices(mesh, "main").size(), 9u);
+  EXPECT_EQ(boundaryVertices(mesh, "dyke").size(), 9u);
+  const auto crossing = crossingsOf(mesh.splits).at(0);
+  const auto faults = namedCrossings(mesh).at(0).faults;
+  for (int k : {0, 1}) {
+    int num_facets = 0;
+    for (auto const& [name, facets] : mesh.boundaries) {
+      for (auto const& facet : facets) {
+        const bool has_it = std::count(facet.begin(), facet.end(), crossing.plus[k]) > 0;
+        EXPECT_TRUE(!has_it || name == faults[k]) << name;
+        EXPECT_EQ(std::count(facet.begin(), facet.end(), crossing.both), 0) << name;
+        EXPECT_EQ(std::count(facet.begin(), facet.end(), crossing.mean), 0) << name;
+        num_facets += has_it ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(num_facets, 2);
+  }
+}
+
+TEST(Crossings, OfFaultsAtAnyAngle)
+{
+  for (auto const& other : {isAtTwo, isOnXAxis}) {
+    const auto mesh =
+      goodSplit(faultedRectangle({{"main", isOnDiagonal}, {"other", other}}), 0, 4 + 4 + 3);
+    expectSidesOfFacets(mesh);
+    EXPECT_EQ(namedCrossings(mesh).size(), 1u);
+  }
+}
+
+TEST(Crossings, NextToTipsAndToEachOther)
+{
+  const auto is_near = [](auto& p) { return std::abs(p[0] - 2) < 1.5 && std::abs(p[1]) < 1.5; };
+  const auto small =
+    goodSplit(faultedRectangle({{"dyke", [&](auto& p) { return isAtTwo(p) && is_near(p); }},
+                                {"main", [&](auto& p) { return isOnXAxis(p) && is_near(p); }}}),
+              4, 3);
+  expectSidesOfFacets(small);
+  const auto two = goodSplit(
+    faultedRectangle(
+      {{"main", isOnXAxis}, {"one", [](auto& p) { return p[0] == 1.0; }}, {"two", isAtTwo}}),
+    0, 3 + 4 + 4 + 2 * 3);
+  expectSidesOfFacets(two);
+  ASSERT_EQ(namedCrossings(two).size(), 2u);
+  EXPECT_EQ(namedCrossings(two)[0].faults, (Names{"one", "main"}));
+  EXPECT_EQ(namedCrossings(two)[1].faults, (Names{"two", "main"}));
+}
+
+// A branch beside a crossing has a tip, as everywhere.
+TEST(Crossings, BesideABranch)
+{
+  const auto mesh =
+    goodSplit(faultedRectangle({{"dyke", isAtTwo},
+                                {"main", isOnXAxis},
+                                {"splay", [](auto& p) { return p[0] == 3.0 && p[1] >= 0.0; }}}),
+              1, 4 + 4 + 3 + 2);
+  expectSidesOfFacets(mesh);
+}
+
+TEST(Crossings, DoNotDependOnTheOrderOfFacets)
+{
+  auto mesh = cross();
+  const auto one = split(mesh);
+  for (auto const* name : {"dyke", "main"}) {
+    auto& facets = mesh.boundaries.at(name);
+    std::reverse(facets.begin(), facets.end());
+    std::swap(facets[0][0], facets[0][1]);
+  }
+  const auto other = split(mesh);
+  EXPECT_EQ(one.cells, other.cells);
+  EXPECT_EQ(one.splits, other.splits);
+  EXPECT_EQ(namedCrossings(one)[0].faults, namedCrossings(other)[0].faults);
+}
+
+TEST(Crossings, RefuseWhatHasMoreThanTwoFaults)
+{
+  expectRefused(faultedRectangle({{"dyke", isAtTwo}, {"main", isOnXAxis}, {"third", isOnDiagonal}}),
+                {"Here: faults 'dyke', 'main' and 'third' cross at (2, 0)", "6 parts",
+                 "two faults, each with one name, cross inside the body"});
+  expectRefused(faultedRectangle({{"dyke", isAtTwo},
+                                  {"east", [](auto& p) { return isOnXAxis(p) && p[0] >= 2; }},
+                                  {"west", [](auto& p) { return isOnXAxis(p) && p[0] <= 2; }}}),
+                {"Here: faults 'dyke', 'east' and 'west' cross at (2, 0)", "4 parts"});
+  expectRefused(faultedRectangle({{"star", [](auto& p) { return isOnXAxis(p) || isAtTwo(p); }}}),
+                {"4 facets of fault 'star' meet at (2, 0)"});
+}
+
+// > and < that have their corners in common.
+TEST(Crossings, RefuseFaultsThatTouch)
+{
+  const auto corner = [](double side) {
+    return [side](auto& p) { return side * (p[0] - 2.0) == std::abs(p[1]); };
+  };
+  expectRefused(faultedRectangle({{"left", corner(-1.0)}, {"right", corner(1.0)}}),
+                {"Here: faults 'left' and 'right' touch each other at (2, 0)", "Separate them"});
+}
+
+TEST(Crossings, AreSeenByTheCheck)
+{
+  const auto mesh = split(cross());
+  const auto crossing = crossingsOf(mesh.splits).at(0);
+  const auto refused = [&](auto const& change, std::vector<std::string> const& pieces) {
+    auto wrong = mesh;
+    change(wrong);
+    test::expectRefusal([&] { checkMesh(wrong, "There"); }, pieces);
+  };
+  // Another copy of the vertex that nothing needs but a cell.
+  refused(
+    [&](auto& m) {
+      m.vertices.push_back(m.vertices[crossing.mean]);
+      m.splits.push_back({static_cast<int>(m.vertices.size()) - 1, crossing.mean, false});
+      for (auto& cell : m.cells) {
+        const auto found = std::find(cell.begin(), cell.end(), crossing.both);
+        if (found != cell.end()) {
+          *found = m.splits.back().plus;
+          break;
+        }
+      }
+    },
+    {"There: vertex 12 at (2, 0) is the minus of 4 pairs", "three where two faults cross"});
+  // A facet that runs the other way would have its sides in other sectors.
+  refused(
+    [&](auto& m) {
+      for (auto& facet : m.boundaries.at("main")) {
+        if (facet[0] == crossing.plus[1]) {
+          std::swap(facet[0], facet[1]);
+        }
+      }
+    },
+    {"the facet of fault 'main' at (2.5, 0) is not a facet of a cell on both sides"});
+}
+
+namespace
+{
+// Squares of two triangles with parallel diagonals: edges run along (1, 0), (0, 1) and (1, 1).
+GlobalMesh<2> slanted(int cells)
+{
+  auto mesh = rectangleMesh({1.0 * cells, 1.0 * cells, cells, cells, {0.0, 0.0}});
+  mesh.cells.clear();
+  for (int j = 0; j < cells; ++j) {
+    for (int i = 0; i < cells; ++i) {
+      const int a = j * (cells + 1) + i, d = a + cells + 1;
+      mesh.cells.push_back({a, a + 1, d + 1});
+      mesh.cells.push_back({a, d + 1, d});
+    }
+  }
+  return mesh;
+}
+
+// Straight faults at random places, of random length, along random edges.
+GlobalMesh<2> withNetwork(GlobalMesh<2> mesh, int cells, std::mt19937& random)
+{
+  const auto choose = [&random](int first, int last) {
+    return std::uniform_int_distribution<int>(first, last)(random);
+  };
+  std::set<std::array<int, 2>> used;
+  const int num_faults = choose(2, 5);
+  for (int fault = 0; fault < num_faults; ++fault) {
+    constexpr int directions[3][2] = {{1, 0}, {0, 1}, {1, 1}};
+    auto const& direction = directions[choose(0, 2)];
+    int i = choose(1, cells / 2), j = choose(1, cells / 2);
+    auto& facets = mesh.boundaries["fault " + std::to_string(fault)];
+    for (int length = choose(2, cells - 2); length > 0; --length) {
+      const int next_i = i + direction[0], next_j = j + direction[1];
+      if (next_i >= cells || next_j >= cells) {
+        break;
+      }
+      const std::array<int, 2> facet = {j * (cells + 1) + i, next_j * (cells + 1) + next_i};
+      if (used.insert(facet).second) {
+        facets.push_back(facet);
+      }
+      i = next_i;
+      j = next_j;
+    }
+    if (facets.empty()) {
+      mesh.boundaries.erase("fault " + std::to_string(fault));
+    }
+  }
+  return mesh;
+}
+
+// Vertices through which two faults go and at which no other one ends.
+std::set<int> expectedCrossings(GlobalMesh<2> const& mesh)
+{
+  std::map<int, std::map<std::string, int>> facets_at;
+  for (auto const& [name, facets] : mesh.boundaries) {
+    if (name.rfind("fault", 0) == 0) {
+      for (auto const& facet : facets) {
+        ++facets_at[facet[0]][name];
+        ++facets_at[facet[1]][name];
+      }
+    }
+  }
+  std::set<int> crossings;
+  for (auto const& [vertex, of_faults] : facets_at) {
+    const bool go_on = std::all_of(of_faults.begin(), of_faults.end(),
+                                   [](auto const& one) { return one.second == 2; });
+    if (of_faults.size() == 2 && go_on) {
+      crossings.insert(vertex);
+    }
+  }
+  return crossings;
+}
+} // namespace
+
+TEST(Crossings, InRandomNetworks)
+{
+  constexpr int cells = 9;
+  const auto mesh = slanted(cells);
+  std::mt19937 random(1);
+  int num_split = 0;
+  std::size_t num_crossings = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    SCOPED_TRACE(trial);
+    const auto faulted = withNetwork(mesh, cells, random);
+    auto result = faulted;
+    try {
+      splitFaults(result, "Here");
+    } catch (InputError const& error) {
+      EXPECT_EQ(std::string(error.what()).rfind("Here: ", 0), 0u);
+      continue;
+    }
+    ++num_split;
+    expectGoodSplit(faulted, result);
+    expectSidesOfFacets(result);
+    std::set<int> found;
+    for (auto const& crossing : crossingsOf(result.splits)) {
+      found.insert(crossing.mean);
+    }
+    EXPECT_EQ(found, expectedCrossings(faulted));
+    num_crossings += found.size();
+  }
+  EXPECT_GT(num_split, 300);
+  EXPECT_GT(num_crossings, 300u);
+}
