@@ -197,10 +197,12 @@ class Meshes(FaultCase):
         self.write(main=[[6, 9]])
         self.refuse(self.from_file, "mesh.h5", "'main'")
 
-    def test_faults_that_cross(self):
-        self.write(main=[[4, 5], [5, 6], [6, 7]], dyke=[[1, 5], [5, 9], [9, 13]])
-        self.refuse({**self.from_file, **condition("Dyke", "dyke", "Two-Sided Fault")},
-                    "faults 'dyke' and 'main' cross at (0.3333333333, 0.3333333333)")
+    def test_three_faults_that_cross(self):
+        self.write(main=[[4, 5], [5, 6], [6, 7]], dyke=[[1, 5], [5, 9], [9, 13]],
+                   third=[[0, 5], [5, 10]])
+        self.refuse({**self.from_file, **condition("Dyke", "dyke", "Two-Sided Fault"),
+                     **condition("Third", "third", "Two-Sided Fault")},
+                    "faults 'dyke', 'main' and 'third' cross at (0.3333333333, 0.3333333333)")
 
     def test_one_facet_in_two_faults(self):
         self.write(main=[[4, 5], [5, 6], [6, 7]], other=[[6, 7]])

@@ -349,9 +349,10 @@ class Faults(Case):
         self.refuse(["Asperity / Mesh / Faults / main: the fault has no facet"],
                     main="abs(y - 0.5 - 0.2 * (x - 0.5)) < 1e-6")
 
-    def test_faults_that_cross(self):
-        self.refuse(["Asperity / Mesh: faults 'dyke' and 'main' cross at (0.5, 0.5)"],
-                    dyke="abs(x - 0.5) < 1e-6", main="abs(y - 0.5) < 1e-6")
+    def test_three_faults_that_cross(self):
+        self.refuse(["Asperity / Mesh: faults 'dyke', 'main' and 'third' cross at (0.5, 0.5)"],
+                    dyke="abs(x - 0.5) < 1e-6", main="abs(y - 0.5) < 1e-6",
+                    third="abs(x - y) < 1e-6")
 
     def test_a_fault_without_a_node_that_slips(self):
         self.refuse(["Asperity / Mesh: fault 'main' has no node that could slip; refine the mesh"],
