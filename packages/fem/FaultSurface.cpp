@@ -1,11 +1,9 @@
 #include "fem/FaultSurface.hpp"
 
 #include "base/Errors.hpp"
-#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/Colouring.hpp"
-#include "mesh/PointText.hpp"
 #include "mesh/SplitVertices.hpp"
 
 #include <Tpetra_CrsGraph.hpp>
@@ -126,17 +124,16 @@ void addTraction(FaultSurface const& surface, std::vector<double> const& tractio
 
 namespace
 {
+// The vertices at the place of a node of the fault, its own first.
 template <int Dim>
-void refuseCrossings(Mesh<Dim> const& mesh, Communicator const& communicator)
+std::vector<int> copiesOf(mesh::FaultSides<Dim> const& sides, int vertex)
 {
-  onEveryRank(communicator, [&] {
-    for (auto const& [place, faults] : mesh::namedCrossings(mesh)) {
-      auto const& [a, b] = std::minmax(faults[0], faults[1]);
-      throw InputError("Asperity / Mesh: faults '" + a + "' and '" + b + "' cross at " +
-                       mesh::text(place) +
-                       ". Simulations need a fault that ends at the other one or before it.");
-    }
-  });
+  if (auto const* crossing = sides.findCrossing(vertex)) {
+    const int other = crossing->plus[crossing->plus[0] == vertex ? 1 : 0];
+    return {vertex, crossing->mean, other, crossing->both};
+  }
+  auto const* split = sides.find(vertex);
+  return split ? std::vector<int>{vertex, split->minus} : std::vector<int>{vertex};
 }
 } // namespace
 
@@ -147,7 +144,6 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                  OtherSide const& other_side, Boundaries const& given_slip)
 {
   constexpr int num_tangents = Dim - 1;
-  refuseCrossings(mesh, *dofs.communicator());
   if (boundary.empty()) {
     return std::make_shared<FaultSurface>(boundary, std::vector<FaultNode>(), num_tangents,
                                           constraints.held(), std::vector<IndexView>(), other_side,
@@ -163,10 +159,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
   std::vector<FaultNode> nodes;
   for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
     FaultNode node;
-    node.copies = {measure.node};
-    if (auto const* split = sides.find(measure.node)) {
-      node.copies.push_back(split->minus);
-    }
+    node.copies = copiesOf(sides, measure.node);
     node.weight = measure.weight;
     node.has_given_slip = with_given_slip.count(measure.node) > 0;
     for (int i = 0; i < Dim; ++i) {

@@ -3,6 +3,7 @@
 #include "base/Text.hpp"
 #include "catalogue/receivers/PointLocation.hpp"
 #include "catalogue/receivers/Receivers.hpp"
+#include "mesh/Crossings.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -65,9 +66,15 @@ std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
       cut.insert(split.plus);
     }
   }
+  auto of_plus_side = cut; // at a crossing the other end of the facet decides
+  for (auto const& [mean, plus, both] : mesh::crossingsOf(splits)) {
+    for (const int vertex : {plus[0], plus[1], both}) {
+      of_plus_side.erase(vertex);
+    }
+  }
   const auto on_fault = locate(fault, places), in_body = locate(volume, places);
   const auto apart = Sampling(fault, on_fault)(nodesIn(fault, cut), 1);
-  const auto plus = Sampling(volume, in_body)(nodesIn(volume, cut), 1);
+  const auto plus = Sampling(volume, in_body)(nodesIn(volume, of_plus_side), 1);
   const auto boundaries = boundariesAt(fault, on_fault);
   std::string found;
   double cell = 0;

@@ -76,7 +76,7 @@ Constraints<Dim>::Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
     }
     moveToDevice();
   });
-  holdTips(mesh, dofs);
+  holdNodes(dofs);
   shareWithGhosts(dofs);
   held_.emplace(std::move(held_flags_), dofs.numOwnedNodes() * dofs.components());
 }
@@ -141,11 +141,11 @@ void Constraints<Dim>::constrain(DofMap const& dofs, int node,
 }
 
 template <int Dim>
-void Constraints<Dim>::holdTips(Mesh<Dim> const& mesh, DofMap const& dofs)
+void Constraints<Dim>::holdNodes(DofMap const& dofs)
 {
-  for (auto const& split : mesh.splits) {
-    for (int c = 0; c < dofs.components() && split.is_tip; ++c) {
-      held_flags_[dofs.dof(split.plus, c)] = 1;
+  for (int node : frames_.vertexTerms().heldNodes()) {
+    for (int c = 0; c < dofs.components(); ++c) {
+      held_flags_[dofs.dof(node, c)] = 1;
     }
   }
 }

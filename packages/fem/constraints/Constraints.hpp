@@ -27,7 +27,7 @@ namespace asperity::fem
 //
 // At a pair of vertices of a fault inside the body, conditions hold for mean and jump
 // (VertexTerms): conditions on the fault for the jump, those on other boundaries in pairs, one on
-// each side.
+// each side. Where two faults cross, the conditions of each hold for its own jump.
 template <int Dim>
 class Constraints
 {
@@ -58,7 +58,7 @@ private:
   };
   std::vector<double> largestVelocities(NodalDirections const& directions,
                                         Communicator const& communicator) const;
-  void holdTips(Mesh<Dim> const& mesh, DofMap const& dofs);
+  void holdNodes(DofMap const& dofs); // of VertexTerms
   void constrain(DofMap const& dofs, int node, std::vector<Direction> const& directions);
   int turnAt(std::vector<Direction> const& directions) const;
   detail::NodalBasis makeFrame(int node, std::vector<Direction> const& directions,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mesh/Mesh.hpp"
+#include "mesh/Crossings.hpp"
 
 #include <array>
 #include <vector>
@@ -12,6 +12,14 @@ namespace asperity::fem
 // jump d over the fault:
 //
 //   v+ = m + d/2,  v- = m - d/2
+//
+// Where two faults cross, the node of `mean` carries the mean of the four vertices, those of plus
+// the jumps d1 over the first fault and d2 over the second one, which go on through the crossing:
+//
+//   v = m +- d1/2 +- d2/2, with + on the plus side of this fault
+//
+// The fourth combination of four vertices, m + d1/2 + d2/2 +- e/2 with the product of the two
+// signs, would be no slip of either fault. It is held at zero at the node of `both`.
 //
 // At a tip the jump is held at zero, and no cell has the vertex `plus`. Every other vertex is a
 // node of its own.
@@ -28,13 +36,18 @@ public:
   class Terms
   {
   public:
-    explicit Terms(Term only) : terms_{{only, {}}}, size_(1) {}
-    Terms(Term mean, Term jump) : terms_{{mean, jump}}, size_(2) {}
+    explicit Terms(Term only) : terms_{{only, {}, {}}}, size_(1) {}
+    Terms(Term mean, Term jump) : terms_{{mean, jump, {}}}, size_(2) {}
+    Terms(Term mean, Term first_jump, Term second_jump)
+        : terms_{{mean, first_jump, second_jump}}
+        , size_(3)
+    {
+    }
     Term const* begin() const { return terms_.data(); }
     Term const* end() const { return terms_.data() + size_; }
 
   private:
-    std::array<Term, 2> terms_;
+    std::array<Term, 3> terms_;
     int size_;
   };
 
@@ -46,25 +59,38 @@ public:
     if (split < 0) {
       return Terms({represented_[vertex], 1});
     }
-    return {{splits_[split].minus, 1},
-            {splits_[split].plus, represented_[vertex] == splits_[split].plus ? 0.5 : -0.5}};
+    if (split < static_cast<int>(splits_.size())) {
+      return {{splits_[split].minus, 1},
+              {splits_[split].plus, represented_[vertex] == splits_[split].plus ? 0.5 : -0.5}};
+    }
+    auto const& [mean, plus, both] = crossings_[split - splits_.size()];
+    const auto factor = [&, both = both](int jump) {
+      return vertex == jump || vertex == both ? 0.5 : -0.5;
+    };
+    return {{mean, 1}, {plus[0], factor(plus[0])}, {plus[1], factor(plus[1])}};
   }
 
   // Whether the vertex is a node of its own.
   bool isNode(int vertex) const { return split_of_[vertex] < 0 && represented_[vertex] == vertex; }
 
-  // Whether the node carries the jump over a fault, which rigid motions of the body do not have.
+  // Whether the node carries the jump over a fault, or what is held at a crossing, which rigid
+  // motions of the body do not have.
   bool isJump(int node) const { return is_jump_[node]; }
 
+  // The nodes at which all is held: tips, and what is no slip at crossings.
+  std::vector<int> const& heldNodes() const { return held_nodes_; }
+
   // From vectors(num vertices, components) at the owned vertices to unknowns at the owned nodes:
-  // replaces those of v+ and v- by d and m. At a tip they are 0 and v-.
+  // replaces those of v+ and v- by d and m, and the four at a crossing by m, d1, d2 and zero. At a
+  // tip they are 0 and v-.
   void toMeanAndJump(std::vector<double>& vectors, int components) const;
 
 private:
-  std::vector<SplitVertex> all_splits_;
-  std::vector<SplitVertex> splits_; // without tips
-  std::vector<int> split_of_;       // (num_vertices), -1 where a vertex is a node of its own
-  std::vector<int> represented_;    // (num_vertices)
-  std::vector<bool> is_jump_;       // (num_vertices)
+  std::vector<SplitVertex> tips_, splits_; // the pairs at tips; the others, without crossings
+  std::vector<mesh::Crossing> crossings_;
+  std::vector<int> split_of_; // (num_vertices) in splits_, then crossings_; -1: a node of its own
+  std::vector<int> represented_; // (num_vertices)
+  std::vector<bool> is_jump_;    // (num_vertices)
+  std::vector<int> held_nodes_;
 };
 } // namespace asperity::fem

@@ -1,0 +1,160 @@
+"""Two cracks without friction that cross at right angles, against displacement discontinuities
+(boundary_elements.py): their potency and slip in the middle, which converge; mirror images of each
+other; and one crack alone where the other one is locked."""
+
+import pathlib
+import unittest
+
+import asperity_run
+import boundary_elements
+import h5py
+import mesh_files
+import numpy
+
+DECK = pathlib.Path(__file__).parent.parent / "incompressible" / "crack.xml"
+FAR = 32.  # the body is the square [-FAR, FAR]^2 at rest around it
+SHEAR, NU = 3e10, 0.25
+SCALE = SHEAR / (1 - NU) * boundary_elements.DROP / 1e6  # stress drop 1e6 Pa
+CRACK, SECOND = "Boundary Conditions/Crack", "Boundary Conditions/Second"
+LEVEL = {f"{CRACK}/Boundary": "level"}
+BOTH = {**LEVEL, f"{SECOND}/Boundary": "upright", f"{SECOND}/Type": "Two-Sided Fault"}
+LOCKED = {**LEVEL, f"{SECOND}/Boundary": "upright", f"{SECOND}/Type": "Prescribed Slip Rate",
+          f"{SECOND}/Slip Rate": 0}
+
+
+def lines(size):
+    """Coordinates with this distance up to 1.25, and growing distances beyond."""
+    half = list(numpy.arange(1, round(1.25 / size) + 1) * size)
+    while half[-1] < FAR:
+        half.append(half[-1] + 1.2 * (half[-1] - half[-2]))
+    half = numpy.array(half)
+    half[half > 1.25] = 1.25 + (half[half > 1.25] - 1.25) * (FAR - 1.25) / (half[-1] - 1.25)
+    return numpy.concatenate([-half[::-1], [0], half])
+
+
+def write_mesh(name, size, cells_in_sector=2, second=True):
+    """Squares in two triangles each, cut so that mirror images in both axes are cells, too: at the
+    crossing each sector has one cell or two."""
+    x = lines(size)
+    n = len(x) - 1
+    vertices = numpy.stack(numpy.meshgrid(x, x), axis=-1).reshape(-1, 2)
+    cells = []
+    for j in range(n):
+        for i in range(n):
+            a = j * (n + 1) + i
+            b, d, c = a + 1, a + n + 1, a + n + 2
+            rises = ((x[i] + x[i + 1]) * (x[j] + x[j + 1]) > 0) == (cells_in_sector == 2)
+            cells += [[a, b, c], [a, c, d]] if rises else [[a, b, d], [b, c, d]]
+    middle = n // 2
+    inside = [i for i in range(n) if abs(x[i] + x[i + 1]) < 2]
+    along = numpy.arange(n)
+    sides = {"level": [[middle * (n + 1) + i, middle * (n + 1) + i + 1] for i in inside],
+             "far": numpy.concatenate([
+                 numpy.stack([start + step * along, start + step * (along + 1)], axis=1)
+                 for start, step in ((0, 1), (n * (n + 1), 1), (0, n + 1), (n, n + 1))])}
+    if second:
+        sides["upright"] = [[i * (n + 1) + middle, (i + 1) * (n + 1) + middle] for i in inside]
+    mesh_files.write(name, vertices, numpy.array(cells), sides)
+
+
+class Cracks(unittest.TestCase):
+    def run_cracks(self, name, size, conditions, *more, ranks=1, **mesh):
+        """{fault: (places along it, slip, weights)} at the end, slip scaled."""
+        write_mesh(f"{name}.h5", size, **mesh)
+        folder = asperity_run.run_to_end(
+            name, DECK, *asperity_run.settings(
+                {"Mesh/File/File Name": pathlib.Path(f"{name}.h5").absolute(),
+                 "Boundary Conditions/Far/Boundary": "far",
+                 "Boundary Conditions/Far/Type": "Fixed"}, conditions, *more),
+            ranks=ranks, timeout=300)
+        history = asperity_run.series(folder / "fault.h5")
+        positions, slip = history["geometry/positions"], history["fields/slip"][-1].ravel()
+        faults = {"level": (0., 1e9)}
+        if "geometry/part_names" in history:
+            names = [part.decode() for part in history["geometry/part_names"]]
+            faults = dict(zip(names, history["geometry/part_ends"]))
+        found = {}
+        for fault, (begin, end) in faults.items():
+            there = (positions >= begin) & (positions <= end)
+            places = history["geometry/coordinates"][there]
+            order = numpy.argsort(places @ [1, 1])
+            found[fault] = (places[order].sum(axis=1), SCALE * slip[there][order],
+                            history["geometry/weights"][there][order])
+        return found
+
+    def assert_converges(self, of_size, expected):
+        """Errors of cells of 1/8 and of 1/16 are of first order: half as large, and extrapolated
+        values are as near as those of a crack alone."""
+        found = []
+        for size in (1 / 8, 1 / 16):
+            x, slip, weights = of_size(size)
+            found.append(numpy.array([weights @ slip, slip[numpy.argmin(numpy.abs(x))]]) / expected)
+            print(size, found[-1], flush=True)
+        coarse, fine = numpy.abs(1 - found[0]), numpy.abs(1 - found[1])
+        self.assertLess(coarse.max(), 0.16)
+        self.assertLess((fine / coarse).max(), 0.6)
+        self.assertLess(numpy.abs(2 * found[1] - found[0] - 1).max(), 0.015)
+
+    def test_one_crack(self):
+        """The measure for the cross: the same cells and the same body."""
+        self.assert_converges(
+            lambda size: self.run_cracks("one", size, LEVEL, second=False)["level"],
+            boundary_elements.potency_and_middle(False))
+
+    def test_a_cross(self):
+        expected = boundary_elements.potency_and_middle(True)
+        for cells in (1, 2):
+            with self.subTest(cells):
+                self.assert_converges(
+                    lambda size: self.run_cracks("cross", size, BOTH, cells_in_sector=cells)[
+                        "level"], expected)
+
+    def test_mirror_images(self):
+        found = self.run_cracks("mirror", 1 / 8, BOTH)
+        (x, level, _), (y, upright, _) = found["level"], found["upright"]
+        self.assertGreater(level.max(), 0.2)
+        numpy.testing.assert_allclose(x, y, atol=1e-12)
+        for other in (level[::-1], upright, upright[::-1]):
+            numpy.testing.assert_allclose(level, other, rtol=0, atol=1e-9)
+
+    def test_ranks_and_solvers(self):
+        one = self.run_cracks("one_rank", 1 / 8, BOTH)
+        multigrid = "TNNMG/Linear Correction=Multigrid"
+        tight = {"TNNMG/Relative Tolerance": 1e-11}
+        for name, ranks, more in (("two", 2, ()), ("three", 3, ()), ("multigrid", 1, (multigrid,))):
+            found = self.run_cracks(name, 1 / 8, BOTH, *more, tight, ranks=ranks)
+            for fault in ("level", "upright"):
+                numpy.testing.assert_allclose(found[fault][1], one[fault][1], rtol=0, atol=1e-7)
+
+    def test_the_other_one_locked(self):
+        """By its condition, or by strength that no stress reaches: the crack alone."""
+        alone = self.run_cracks("alone", 1 / 8, LEVEL, second=False)["level"]
+        held = self.run_cracks("held", 1 / 8, LOCKED)["level"]
+        numpy.testing.assert_allclose(held[1], alone[1], rtol=0, atol=1e-9)
+        self.assertLess(self.run_cracks("both", 1 / 8, BOTH)["level"][1].max(),
+                        0.8 * alone[1].max())
+        strong = self.run_cracks("strong", 1 / 8, BOTH, {"Friction/Cohesion": strength_of_upright(
+            "both")})
+        numpy.testing.assert_allclose(strong["upright"][1], 0, atol=1e-12)
+        numpy.testing.assert_allclose(strong["level"][1], alone[1], rtol=0, atol=1e-9)
+
+
+def strength_of_upright(name):
+    """A dataset of cohesion that holds one fault of this run. It goes by the numbers of vertices,
+    since the two nodes at the crossing lie at one place."""
+    history = asperity_run.series(f"{name}/fault.h5")
+    names = [part.decode() for part in history["geometry/part_names"]]
+    begin, end = history["geometry/part_ends"][names.index("upright")]
+    positions, vertices = history["geometry/positions"], history["geometry/vertex_ids"]
+    with h5py.File(f"{name}.h5") as mesh:
+        # Each fault has a copy of its vertices, and the crossing three of one.
+        facets = sum(len(mesh[f"boundaries/{fault}/facets"]) for fault in names)
+        cohesion = numpy.zeros(len(mesh["vertices"]) + facets + 3)
+    cohesion[vertices[(positions >= begin) & (positions <= end)]] = 1e9
+    with h5py.File("strength.h5", "w") as file:
+        file["cohesion"] = cohesion
+    return f"{pathlib.Path('strength.h5').absolute()}:/cohesion"
+
+
+if __name__ == "__main__":
+    unittest.main()
