@@ -2,7 +2,9 @@
 #include "Meshes.hpp"
 
 #include "base/Text.hpp"
+#include "mesh/Crossings.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/PointText.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,6 +78,17 @@ void printNames(GlobalMesh<Dim> const& mesh)
               << formatShort(mesh::shortestEdge(mesh, name)) << " m\n";
   }
 }
+
+// Where two faults of the plane cross.
+template <int Dim>
+void printCrossings(GlobalMesh<Dim> const& mesh)
+{
+  for (auto const& [place, faults] : mesh::namedCrossings(mesh)) {
+    auto const& [first, second] = std::minmax(faults[0], faults[1]);
+    std::cout << "crossing         " << first << " and " << second << " at " << mesh::text(place)
+              << " m\n";
+  }
+}
 } // namespace
 
 void printInfo(Arguments& arguments)
@@ -93,6 +106,7 @@ void printInfo(Arguments& arguments)
     }
     printSizes(mesh);
     printNames(mesh);
+    printCrossings(mesh);
   });
 }
 } // namespace asperity::geometry

@@ -23,9 +23,9 @@ namespace asperity::mesh
 // order.
 //
 // InputError, which starts with `where`, for faults that cross in space, for three that meet and go
-// on, or that otherwise need more copies of a vertex, that touch without crossing, that cannot be oriented, that touch the surface of the body in a single point, or that
-// have only tips; for a facet in two faults; for a boundary that is partly inside the body; for a
-// periodic mesh.
+// on, or that otherwise need more copies of a vertex, that touch without crossing, that cannot be
+// oriented, that touch the surface of the body in a single point, or that have only tips; for a
+// facet in two faults; for a boundary that is partly inside the body; for a periodic mesh.
 template <int Dim>
 void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where);
 } // namespace asperity::mesh

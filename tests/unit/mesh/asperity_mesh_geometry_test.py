@@ -272,7 +272,12 @@ class Refusals(Geometry):
             "Curve{6} In", "Curve{6, 16, 7, 8} In").replace(
             'Curve("fault") = {6};', 'Curve("fault") = {6, 16}; Physical Curve("dyke") = {7, 8};')
         self.convert(crossing)
-        self.assertRegex(self.assert_done("info", "case.h5"), r"dyke.* 2 tips")
+        whole = self.assert_done("info", "case.h5")
+        self.assertRegex(whole, r"dyke.* 2 tips")
+        self.assertIn("crossing         dyke and fault at (2, 1) m", whole)
+        self.assert_done("partition", "case.h5", "--parts", "3", "--output", "three.h5")
+        self.assertIn("crossing         dyke and fault at (2, 1) m",
+                      self.assert_done("info", "three.h5"))
 
     def test_a_fault_without_a_node_that_slips(self):
         self.assert_not_converted(SHORT, "fault 'fault' has no node that could slip", "refine")

@@ -57,6 +57,16 @@ def write_mesh(name, size, cells_in_sector=2, second=True):
     mesh_files.write(name, vertices, numpy.array(cells), sides)
 
 
+def nodes_of_faults(history):
+    """{fault: numbers of its nodes}: one fault follows another, and begins where that one ends."""
+    positions = history["geometry/positions"]
+    if "geometry/part_names" not in history:
+        return {"level": numpy.arange(len(positions))}
+    begins = numpy.flatnonzero(numpy.diff(positions) == 0) + 1
+    names = [part.decode() for part in history["geometry/part_names"]]
+    return dict(zip(names, numpy.split(numpy.arange(len(positions)), begins)))
+
+
 class Cracks(unittest.TestCase):
     def run_cracks(self, name, size, conditions, *more, ranks=1, **mesh):
         """{fault: (places along it, slip, weights)} at the end, slip scaled."""
@@ -65,21 +75,16 @@ class Cracks(unittest.TestCase):
             name, DECK, *asperity_run.settings(
                 {"Mesh/File/File Name": pathlib.Path(f"{name}.h5").absolute(),
                  "Boundary Conditions/Far/Boundary": "far",
-                 "Boundary Conditions/Far/Type": "Fixed"}, conditions, *more),
+                 "Boundary Conditions/Far/Type": "Fixed",
+                 "Time Stepping/Final Time": 0.4}, conditions, *more),  # four steps: at rest
             ranks=ranks, timeout=300)
         history = asperity_run.series(folder / "fault.h5")
-        positions, slip = history["geometry/positions"], history["fields/slip"][-1].ravel()
-        faults = {"level": (0., 1e9)}
-        if "geometry/part_names" in history:
-            names = [part.decode() for part in history["geometry/part_names"]]
-            faults = dict(zip(names, history["geometry/part_ends"]))
-        found = {}
-        for fault, (begin, end) in faults.items():
-            there = (positions >= begin) & (positions <= end)
-            places = history["geometry/coordinates"][there]
-            order = numpy.argsort(places @ [1, 1])
-            found[fault] = (places[order].sum(axis=1), SCALE * slip[there][order],
-                            history["geometry/weights"][there][order])
+        slip, found = history["fields/slip"][-1].ravel(), {}
+        for fault, nodes in nodes_of_faults(history).items():
+            places = history["geometry/coordinates"][nodes].sum(axis=1)
+            nodes = nodes[numpy.argsort(places)]
+            found[fault] = (numpy.sort(places), SCALE * slip[nodes],
+                            history["geometry/weights"][nodes])
         return found
 
     def assert_converges(self, of_size, expected):
@@ -143,14 +148,12 @@ def strength_of_upright(name):
     """A dataset of cohesion that holds one fault of this run. It goes by the numbers of vertices,
     since the two nodes at the crossing lie at one place."""
     history = asperity_run.series(f"{name}/fault.h5")
-    names = [part.decode() for part in history["geometry/part_names"]]
-    begin, end = history["geometry/part_ends"][names.index("upright")]
-    positions, vertices = history["geometry/positions"], history["geometry/vertex_ids"]
+    nodes = nodes_of_faults(history)
     with h5py.File(f"{name}.h5") as mesh:
         # Each fault has a copy of its vertices, and the crossing three of one.
-        facets = sum(len(mesh[f"boundaries/{fault}/facets"]) for fault in names)
+        facets = sum(len(mesh[f"boundaries/{fault}/facets"]) for fault in nodes)
         cohesion = numpy.zeros(len(mesh["vertices"]) + facets + 3)
-    cohesion[vertices[(positions >= begin) & (positions <= end)]] = 1e9
+    cohesion[history["geometry/vertex_ids"][nodes["upright"]]] = 1e9
     with h5py.File("strength.h5", "w") as file:
         file["cohesion"] = cohesion
     return f"{pathlib.Path('strength.h5').absolute()}:/cohesion"
