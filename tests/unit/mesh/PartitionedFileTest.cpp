@@ -102,6 +102,15 @@ TEST_F(PartitionedFile, GivesEveryRankItsPartOfAFaultedBox)
   expectParts<3>(mesh, {"main", 4});
 }
 
+TEST_F(PartitionedFile, GivesEveryRankItsPartOfFaultsThatCross)
+{
+  const auto mesh = split(faultedRectangle(
+    {{"dyke", [](auto& p) { return p[0] == 2.0; }}, {"main", [](auto& p) { return p[1] == 0.0; }}},
+    2));
+  ASSERT_EQ(crossingsOf(mesh.splits).size(), 1u);
+  expectParts<2>(mesh, {"main", 4});
+}
+
 // A mesh that is not partitioned is not split in its file either.
 TEST_F(PartitionedFile, SplitsWhatWasWritten)
 {
