@@ -1,5 +1,5 @@
-#include "Commands.hpp"
 #include "Plugins.hpp"
+#include "commands/Commands.hpp"
 
 #include "base/Errors.hpp"
 #include "base/program/MpiScope.hpp"

@@ -1,9 +1,9 @@
 #include "arrangement/Arranged.hpp"
 
-#include "arrangement/Curves.hpp"
-#include "arrangement/EdgeCollapse.hpp"
-#include "arrangement/Rounding.hpp"
-#include "arrangement/Snap.hpp"
+#include "arrangement/complex/Curves.hpp"
+#include "arrangement/complex/EdgeCollapse.hpp"
+#include "arrangement/exact/Rounding.hpp"
+#include "arrangement/preparation/Snap.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 

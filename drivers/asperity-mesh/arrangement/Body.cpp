@@ -1,6 +1,6 @@
 #include "arrangement/Body.hpp"
 
-#include "arrangement/Patches.hpp"
+#include "arrangement/complex/Patches.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "arrangement/Box.hpp"
-#include "arrangement/ExactArrangement.hpp"
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/exact/ExactArrangement.hpp"
 
 namespace asperity::geometry
 {

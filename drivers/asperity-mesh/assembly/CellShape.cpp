@@ -1,4 +1,4 @@
-#include "CellShape.hpp"
+#include "assembly/CellShape.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "FaultSheets.hpp"
+#include "assembly/FaultSheets.hpp"
 
 #include "base/DisjointSets.hpp"
 #include "base/Errors.hpp"

@@ -1,10 +1,9 @@
-#include "ForeignMesh.hpp"
+#include "assembly/ForeignMesh.hpp"
 
-#include "FaultSheets.hpp"
-#include "GroupNames.hpp"
-#include "SharedFacets.hpp"
-
-#include "../Warnings.hpp"
+#include "Warnings.hpp"
+#include "assembly/FaultSheets.hpp"
+#include "assembly/GroupNames.hpp"
+#include "assembly/SharedFacets.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

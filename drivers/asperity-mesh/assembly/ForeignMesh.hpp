@@ -1,6 +1,6 @@
 #pragma once
 
-#include "CellShape.hpp"
+#include "assembly/CellShape.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 

@@ -1,4 +1,4 @@
-#include "GroupNames.hpp"
+#include "assembly/GroupNames.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"

@@ -1,6 +1,6 @@
-#include "GroupNaming.hpp"
+#include "assembly/GroupNaming.hpp"
 
-#include "../Warnings.hpp"
+#include "Warnings.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "GroupNames.hpp"
+#include "assembly/GroupNames.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "NodeSets.hpp"
+#include "assembly/NodeSets.hpp"
 
 #include "base/Text.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ForeignMesh.hpp"
+#include "assembly/ForeignMesh.hpp"
 
 #include <string>
 #include <vector>

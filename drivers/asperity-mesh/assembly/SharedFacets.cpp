@@ -1,6 +1,6 @@
-#include "SharedFacets.hpp"
+#include "assembly/SharedFacets.hpp"
 
-#include "../Warnings.hpp"
+#include "Warnings.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,6 +1,6 @@
 #include "building/BuildParameters.hpp"
 
-#include "arrangement/CheckedSurface.hpp"
+#include "arrangement/preparation/CheckedSurface.hpp"
 #include "surfaces/kinds/SurfaceKinds.hpp"
 
 #include "base/Text.hpp"

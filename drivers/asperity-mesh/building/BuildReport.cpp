@@ -1,6 +1,6 @@
 #include "building/BuildReport.hpp"
 
-#include "arrangement/TriangleTree.hpp"
+#include "arrangement/complex/TriangleTree.hpp"
 #include "meshing/CellAngles.hpp"
 
 #include "base/Text.hpp"

@@ -1,7 +1,7 @@
-#include "../assembly/GroupNaming.hpp"
-#include "../assembly/NodeSets.hpp"
-#include "AbaqusDeck.hpp"
-#include "MeshFormat.hpp"
+#include "assembly/GroupNaming.hpp"
+#include "assembly/NodeSets.hpp"
+#include "formats/AbaqusDeck.hpp"
+#include "formats/MeshFormat.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,6 +1,6 @@
-#include "AbaqusDeck.hpp"
+#include "formats/AbaqusDeck.hpp"
 
-#include "../surfaces/files/TextFile.hpp"
+#include "surfaces/files/TextFile.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,9 +1,8 @@
-#include "MeshFormat.hpp"
-
-#include "../assembly/ForeignMesh.hpp"
-#include "../assembly/GroupNaming.hpp"
-#include "../assembly/NodeSets.hpp"
-#include "../surfaces/netcdf/NetcdfFile.hpp"
+#include "assembly/ForeignMesh.hpp"
+#include "assembly/GroupNaming.hpp"
+#include "assembly/NodeSets.hpp"
+#include "formats/MeshFormat.hpp"
+#include "surfaces/netcdf/NetcdfFile.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

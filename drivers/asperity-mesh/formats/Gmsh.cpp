@@ -1,7 +1,7 @@
-#include "../GmshFile.hpp"
-#include "../GmshGeometry.hpp"
-#include "../TemporaryFolder.hpp"
-#include "MeshFormat.hpp"
+#include "TemporaryFolder.hpp"
+#include "formats/MeshFormat.hpp"
+#include "gmsh/GmshFile.hpp"
+#include "gmsh/GmshGeometry.hpp"
 
 #include "base/Errors.hpp"
 

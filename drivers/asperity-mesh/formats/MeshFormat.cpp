@@ -1,4 +1,4 @@
-#include "MeshFormat.hpp"
+#include "formats/MeshFormat.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "../assembly/ForeignMesh.hpp"
-#include "../assembly/GroupNames.hpp"
+#include "assembly/ForeignMesh.hpp"
+#include "assembly/GroupNames.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 #include "registry/Registry.hpp"

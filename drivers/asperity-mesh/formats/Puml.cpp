@@ -1,7 +1,6 @@
-#include "MeshFormat.hpp"
-
-#include "../assembly/ForeignMesh.hpp"
-#include "../assembly/GroupNaming.hpp"
+#include "assembly/ForeignMesh.hpp"
+#include "assembly/GroupNaming.hpp"
+#include "formats/MeshFormat.hpp"
 
 #include "base/Errors.hpp"
 #include "hdf5/File.hpp"

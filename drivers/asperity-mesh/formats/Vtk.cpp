@@ -1,6 +1,5 @@
-#include "VtkGrid.hpp"
-
-#include "../surfaces/files/BinaryFile.hpp"
+#include "formats/VtkGrid.hpp"
+#include "surfaces/files/BinaryFile.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

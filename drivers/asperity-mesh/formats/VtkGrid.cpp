@@ -1,7 +1,7 @@
-#include "VtkGrid.hpp"
+#include "formats/VtkGrid.hpp"
 
-#include "../Warnings.hpp"
-#include "../assembly/GroupNaming.hpp"
+#include "Warnings.hpp"
+#include "assembly/GroupNaming.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"

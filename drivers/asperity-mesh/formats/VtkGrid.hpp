@@ -1,6 +1,6 @@
 #pragma once
 
-#include "MeshFormat.hpp"
+#include "formats/MeshFormat.hpp"
 
 #include <cstdint>
 #include <map>

@@ -1,6 +1,6 @@
-#include "VtkPieces.hpp"
+#include "formats/VtkPieces.hpp"
 
-#include "../Warnings.hpp"
+#include "Warnings.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "VtkGrid.hpp"
+#include "formats/VtkGrid.hpp"
 
 #include <string>
 #include <vector>

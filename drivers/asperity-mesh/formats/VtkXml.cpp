@@ -1,4 +1,4 @@
-#include "VtkXml.hpp"
+#include "formats/VtkXml.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "../surfaces/files/BinaryFile.hpp"
+#include "surfaces/files/BinaryFile.hpp"
 
 #include <cstdint>
 #include <map>

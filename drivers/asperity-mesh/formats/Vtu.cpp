@@ -1,6 +1,6 @@
-#include "VtkGrid.hpp"
-#include "VtkPieces.hpp"
-#include "VtkXml.hpp"
+#include "formats/VtkGrid.hpp"
+#include "formats/VtkPieces.hpp"
+#include "formats/VtkXml.hpp"
 
 #include "base/Text.hpp"
 

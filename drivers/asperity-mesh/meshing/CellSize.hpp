@@ -1,6 +1,6 @@
 #pragma once
 
-#include "arrangement/TriangleTree.hpp"
+#include "arrangement/complex/TriangleTree.hpp"
 
 #include <functional>
 #include <memory>

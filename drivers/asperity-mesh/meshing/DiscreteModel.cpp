@@ -1,6 +1,6 @@
 #include "meshing/DiscreteModel.hpp"
 
-#include "GmshSession.hpp"
+#include "gmsh/GmshSession.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

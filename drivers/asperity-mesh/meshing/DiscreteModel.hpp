@@ -1,8 +1,8 @@
 #pragma once
 
-#include "arrangement/Box.hpp"
-#include "arrangement/Curves.hpp"
-#include "arrangement/Patches.hpp"
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Curves.hpp"
+#include "arrangement/complex/Patches.hpp"
 
 #include <map>
 #include <string>

@@ -1,6 +1,6 @@
 #include "meshing/EdgeDivision.hpp"
 
-#include "arrangement/Complex.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "meshing/CellAngles.hpp"
 
 #include "mesh/SimplexGeometry.hpp"

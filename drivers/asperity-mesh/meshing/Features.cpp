@@ -1,7 +1,7 @@
 #include "meshing/Features.hpp"
 
-#include "arrangement/Curves.hpp"
-#include "arrangement/Patches.hpp"
+#include "arrangement/complex/Curves.hpp"
+#include "arrangement/complex/Patches.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 

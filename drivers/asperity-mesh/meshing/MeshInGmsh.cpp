@@ -1,6 +1,6 @@
 #include "meshing/MeshInGmsh.hpp"
 
-#include "GmshSession.hpp"
+#include "gmsh/GmshSession.hpp"
 
 #include "base/Errors.hpp"
 

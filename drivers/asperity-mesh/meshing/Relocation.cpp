@@ -1,7 +1,7 @@
 #include "meshing/Relocation.hpp"
 
-#include "arrangement/Curves.hpp"
-#include "arrangement/TriangleTree.hpp"
+#include "arrangement/complex/Curves.hpp"
+#include "arrangement/complex/TriangleTree.hpp"
 #include "meshing/CellAngles.hpp"
 
 #include "mesh/SimplexGeometry.hpp"

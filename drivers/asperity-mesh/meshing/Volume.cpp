@@ -1,6 +1,6 @@
 #include "meshing/Volume.hpp"
 
-#include "GmshSession.hpp"
+#include "gmsh/GmshSession.hpp"
 #include "meshing/DiscreteModel.hpp"
 #include "meshing/MeshInGmsh.hpp"
 

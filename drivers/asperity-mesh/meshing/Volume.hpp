@@ -1,6 +1,6 @@
 #pragma once
 
-#include "arrangement/Box.hpp"
+#include "arrangement/complex/Box.hpp"
 #include "meshing/CellSize.hpp"
 
 #include "mesh/GlobalMesh.hpp"

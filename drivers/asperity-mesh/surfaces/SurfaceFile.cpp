@@ -1,7 +1,7 @@
-#include "SurfaceFile.hpp"
+#include "surfaces/SurfaceFile.hpp"
 
-#include "FileNames.hpp"
-#include "Weld.hpp"
+#include "surfaces/FileNames.hpp"
+#include "surfaces/Weld.hpp"
 #include "surfaces/files/SurfaceFormats.hpp"
 
 #include "base/Errors.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "TriangleSurface.hpp"
 #include "Warnings.hpp"
+#include "surfaces/TriangleSurface.hpp"
 
 #include <string>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "Weld.hpp"
+#include "surfaces/Weld.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

@@ -1,11 +1,11 @@
 #include "SampleSurfaces.hpp"
 
-#include "arrangement/Curves.hpp"
-#include "arrangement/EdgeCollapse.hpp"
-#include "arrangement/ExactArrangement.hpp"
-#include "arrangement/Patches.hpp"
-#include "arrangement/Rounding.hpp"
-#include "arrangement/TriangleTree.hpp"
+#include "arrangement/complex/Curves.hpp"
+#include "arrangement/complex/EdgeCollapse.hpp"
+#include "arrangement/complex/Patches.hpp"
+#include "arrangement/complex/TriangleTree.hpp"
+#include "arrangement/exact/ExactArrangement.hpp"
+#include "arrangement/exact/Rounding.hpp"
 #include "building/BuildReport.hpp"
 
 #include "mesh/SimplexGeometry.hpp"

@@ -1,6 +1,6 @@
 #include "SampleSurfaces.hpp"
 
-#include "arrangement/CheckedSurface.hpp"
+#include "arrangement/preparation/CheckedSurface.hpp"
 
 #include "base/Errors.hpp"
 

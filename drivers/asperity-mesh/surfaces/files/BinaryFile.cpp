@@ -1,4 +1,4 @@
-#include "BinaryFile.hpp"
+#include "surfaces/files/BinaryFile.hpp"
 
 #include "base/Errors.hpp"
 

@@ -1,5 +1,5 @@
-#include "SurfaceFormats.hpp"
-#include "TextFile.hpp"
+#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/TextFile.hpp"
 
 #include <charconv>
 

@@ -1,5 +1,5 @@
-#include "SurfaceFormats.hpp"
-#include "TextFile.hpp"
+#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/TextFile.hpp"
 
 // OFF: "OFF", counts of vertices, faces and edges, then lines "x y z ..." and "n v1 ... vn ...".
 namespace asperity::geometry

@@ -1,6 +1,6 @@
-#include "BinaryFile.hpp"
-#include "SurfaceFormats.hpp"
-#include "TextFile.hpp"
+#include "surfaces/files/BinaryFile.hpp"
+#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/TextFile.hpp"
 
 #include <algorithm>
 #include <cmath>

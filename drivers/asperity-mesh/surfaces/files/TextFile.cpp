@@ -1,4 +1,4 @@
-#include "TextFile.hpp"
+#include "surfaces/files/TextFile.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"

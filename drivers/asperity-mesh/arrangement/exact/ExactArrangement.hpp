@@ -1,0 +1,21 @@
+#pragma once
+
+#include "arrangement/complex/Complex.hpp"
+
+namespace asperity::geometry
+{
+struct Arrangement
+{
+  Complex complex; // of all triangles, whether inside the box or not
+  // (num_surfaces) x (its points): the point of the complex; -1 where no triangle is at the point
+  std::vector<std::vector<int>> points_of;
+};
+
+// Divides the triangles of surfaces where these meet, so that they have vertices and edges in
+// common there. Exact: with rational numbers (CGAL), rounded in the end; no tolerance decides.
+// Surfaces are as checkedSurface makes them.
+//
+// InputError, with names and place, if two surfaces overlap in an area, or a surface crosses,
+// touches or overlaps itself.
+Arrangement arrange(std::vector<NamedSurface> const& surfaces);
+} // namespace asperity::geometry

@@ -1,0 +1,162 @@
+#include "commands/Commands.hpp"
+#include "commands/Meshes.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/PointText.hpp"
+#include "mesh/faults/Faults.hpp"
+#include "mesh/generation/BoxMesh.hpp"
+#include "mesh/generation/PeriodicMesh.hpp"
+#include "mesh/generation/RectangleMesh.hpp"
+#include "parameters/fields/Expression.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace asperity::geometry
+{
+// Rectangles and boxes, with options of the same names along each axis.
+namespace
+{
+struct Axis
+{
+  char const* size;
+  char const* cells;
+  char const* lowest;
+  char const* low_boundary;
+  char const* high_boundary;
+};
+
+constexpr Axis axes[] = {{"--width", "--cells-x", "--left", "left", "right"},
+                         {"--height", "--cells-y", "--bottom", "bottom", "top"},
+                         {"--depth", "--cells-z", "--front", "front", "back"}};
+
+GlobalMesh<2> bricks(Point<2> const& size, std::array<int, 2> const& cells, Point<2> const& lowest)
+{
+  return mesh::rectangleMesh({size[0], size[1], cells[0], cells[1], lowest});
+}
+
+GlobalMesh<3> bricks(Point<3> const& size, std::array<int, 3> const& cells, Point<3> const& lowest)
+{
+  return mesh::boxMesh({size, cells, lowest});
+}
+
+// Call this before the mesh is graded: bisection keeps a periodic mesh periodic, but may refine the
+// opposite sides of another mesh differently.
+void makePeriodicAlong(std::string const& names, GlobalMesh<3>& mesh)
+{
+  for (auto const& name : split(names, ',')) {
+    const auto axis = std::string("xyz").find(name);
+    ASPERITY_REQUIRE(name.size() == 1 && axis != std::string::npos,
+                     "Option --periodic: '" << name << "' is not x, y or z.");
+    mesh::makePeriodic(mesh, static_cast<int>(axis), axes[axis].low_boundary,
+                       axes[axis].high_boundary);
+  }
+}
+
+// A formula in the coordinates; `where` is for messages.
+template <int Dim>
+std::function<double(Point<Dim> const&)> formula(std::string const& text, std::string const& where)
+{
+  const auto expression = std::make_shared<Expression>(text, where);
+  ASPERITY_REQUIRE(!expression->dependsOnTime(), where << " depends on t. Remove t from it.");
+  return [expression](Point<Dim> const& x) {
+    std::array<double, 3> point{};
+    std::copy(x.begin(), x.end(), point.begin());
+    return (*expression)(point, 0);
+  };
+}
+
+// Bisected to a cell size as that of `Mesh / Cell Size` of a deck.
+template <int Dim>
+GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Point<Dim> const& brick,
+                       std::string const& cell_size)
+{
+  const auto size = formula<Dim>(cell_size, "Option --cell-size");
+  return mesh::bisectBricks<Dim>(mesh, brick, [&](Point<Dim> const& x) {
+    const double value = size(x);
+    ASPERITY_REQUIRE(value > 0, "Option --cell-size is "
+                                  << formatNumber(value) << " at "
+                                  << (Dim == 2 ? "(x, y) = " : "(x, y, z) = ") << mesh::text(x)
+                                  << " m, outside (0, inf).");
+    return value;
+  });
+}
+
+// From "NAME=CONDITION".
+template <int Dim>
+mesh::NamedCondition<Dim> faultFrom(std::string const& setting)
+{
+  const auto equals = setting.find('=');
+  const std::string name = trimmed(setting.substr(0, equals));
+  ASPERITY_REQUIRE(equals != std::string::npos && !name.empty(),
+                   "Option --fault " << setting << " is not of the form NAME=CONDITION.");
+  const auto condition = formula<Dim>(setting.substr(equals + 1), "Option --fault " + name);
+  return {name, [condition](Point<Dim> const& x) { return condition(x) != 0; }};
+}
+
+// Adds faults. They are not split in the file, but tried here.
+template <int Dim>
+void addFaults(GlobalMesh<Dim>& mesh, std::vector<std::string> const& settings)
+{
+  std::vector<mesh::NamedCondition<Dim>> faults;
+  for (auto const& setting : settings) {
+    faults.push_back(faultFrom<Dim>(setting));
+  }
+  mesh::addFaults(mesh, faults, "Option --fault");
+  if (!faults.empty()) {
+    auto trial = mesh;
+    mesh::splitFaults(trial, "Option --fault");
+  }
+}
+
+template <int Dim>
+void makeBricks(Arguments& arguments)
+{
+  Point<Dim> size, lowest{}, brick;
+  std::array<int, Dim> cells;
+  size.fill(1);
+  cells.fill(1);
+  std::string periodic, cell_size;
+  std::vector<std::string> faults;
+  for (int d = 0; d < Dim; ++d) {
+    const std::string name(1, "xyz"[d]);
+    arguments.number(axes[d].size, size[d], "along " + name + ", m")
+      .number(axes[d].cells, cells[d],
+              std::string("number of bricks of ") + (Dim == 2 ? "two triangles" : "six tetrahedra"))
+      .number(axes[d].lowest, lowest[d], "smallest " + name + ", m");
+  }
+  if (Dim == 3) {
+    arguments.value("--periodic", periodic, "AXES",
+                    "as \"z\" or \"x, z\"; at least 3 bricks along them");
+  }
+  arguments.value("--cell-size", cell_size, "FORMULA",
+                  std::string("longest side of the bricks, m, in ") +
+                    (Dim == 2 ? "x and y" : "x, y and z"));
+  arguments.values("--fault", faults, "NAME=CONDITION",
+                   "a fault inside, as \"main=abs(y) < 1e-6\", along which cells have their edges");
+  arguments.overwrite();
+  if (!arguments.read({"OUT.h5"})) {
+    return;
+  }
+  arguments.requireNew(arguments.file(0));
+  auto mesh = bricks(size, cells, lowest);
+  if constexpr (Dim == 3) {
+    if (!periodic.empty()) {
+      makePeriodicAlong(periodic, mesh);
+    }
+  }
+  if (!cell_size.empty()) {
+    for (int d = 0; d < Dim; ++d) {
+      brick[d] = size[d] / cells[d];
+    }
+    mesh = graded<Dim>(mesh, brick, cell_size);
+  }
+  addFaults(mesh, faults);
+  writeAndReport(mesh, arguments.file(0));
+}
+} // namespace
+
+void makeRectangle(Arguments& arguments) { makeBricks<2>(arguments); }
+void makeBox(Arguments& arguments) { makeBricks<3>(arguments); }
+} // namespace asperity::geometry

@@ -1,0 +1,195 @@
+#include "TargetFolder.hpp"
+#include "Warnings.hpp"
+#include "building/BuildMesh.hpp"
+#include "building/BuildReport.hpp"
+#include "building/DeckEstimate.hpp"
+#include "building/ShortOptions.hpp"
+#include "commands/Commands.hpp"
+#include "commands/Meshes.hpp"
+#include "commands/Partitioning.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/TouchingFacets.hpp"
+#include "parameters/Deck.hpp"
+
+#include <chrono>
+#include <filesystem>
+
+namespace asperity::geometry
+{
+namespace
+{
+// A line with the seconds since the start.
+class Progress
+{
+public:
+  void operator()(std::string const& text) const
+  {
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start_;
+    std::cout << formatted("%7.1f s  ", time.count()) << text << std::endl;
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+struct Files
+{
+  std::string deck, mesh; // "" where not given
+};
+
+Files filesOf(Arguments const& arguments, bool is_dry)
+{
+  Files files;
+  for (int i = 0; i < arguments.numFiles(); ++i) {
+    auto const& name = arguments.file(i);
+    auto& file = std::filesystem::path(name).extension() == ".xml" ? files.deck : files.mesh;
+    ASPERITY_REQUIRE(file.empty(), "Unexpected argument '" << name << "'.");
+    file = name;
+  }
+  ASPERITY_REQUIRE(is_dry || !files.mesh.empty(),
+                   "The file OUT.h5 is missing. See asperity-mesh --help.");
+  return files;
+}
+
+BuildSettings settingsOf(Files const& files, ShortOptions const& options)
+{
+  auto deck =
+    files.deck.empty() ? Teuchos::rcp(new ParameterList("Asperity")) : readDeck(files.deck);
+  const auto folder = std::filesystem::path(files.deck).parent_path();
+  applyOptions(options, *deck, folder);
+  auto settings = readBuildSettings(*deck, folder.string());
+  ASPERITY_REQUIRE(options.overlays.empty() || !settings.deck.empty(),
+                   "Option --overlay " << options.overlays.front()
+                                       << ": there is no deck of asperity that it could change. "
+                                          "Give --deck RUN.xml, too.");
+  settings.overlays = options.overlays;
+  return settings;
+}
+
+void requireTolerance(GlobalMesh<3> const& mesh, BuildSettings const& settings)
+{
+  for (int s = 0; settings.tolerance && s < settings.model.num_faults; ++s) {
+    auto const& name = settings.model.name(s);
+    const auto off =
+      largestDistance(mesh.vertices, mesh.boundaries.at(name), settings.model.surfaces[s].surface);
+    ASPERITY_REQUIRE(off.distance <= *settings.tolerance,
+                     "Fault '" << name << "': the centre of a facet lies "
+                               << formatShort(off.distance) << " m from the given surface, at "
+                               << placeText(off.place) << ", more than Tolerance = "
+                               << *settings.tolerance << ". Give a smaller Cell Size there.");
+  }
+}
+
+// As it will be when the mesh is read, so that nothing is written that cannot be used.
+GlobalMesh<3> splitMesh(GlobalMesh<3> const& mesh, std::vector<Junction> const& junctions)
+{
+  auto split = mesh;
+  try {
+    mesh::splitFaults(split, "The mesh");
+    return split;
+  } catch (InputError const& error) {
+    std::string advice;
+    for (auto const& junction : junctions) {
+      if (junction.is_crossing) {
+        advice += " Faults '" + junction.first + "' and '" + junction.second + "' cross from " +
+                  placeText(junction.from) + " to " + placeText(junction.to) +
+                  ": let one of them end at the other (cut its surface there, or raise Trim Stubs "
+                  "over the share of the smaller piece).";
+      }
+    }
+    throw InputError(error.what() + advice + " Nothing is written.");
+  }
+}
+
+void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
+               Partitioning const& partitioning)
+{
+  const Progress reportProgress;
+  int triangles = 0;
+  for (auto const& surface : settings.model.surfaces) {
+    triangles += static_cast<int>(surface.surface.triangles.size());
+  }
+  reportProgress("read " + std::to_string(settings.model.num_faults) +
+                 (settings.model.num_faults == 1 ? " fault; " : " faults; ") +
+                 std::to_string(triangles) + " triangles with ground and walls");
+  for (auto const& remark : settings.remarks) {
+    std::cout << remark << '\n';
+  }
+  const auto arranged = arrangeSurfaces(settings);
+  reportProgress("arranged " + std::to_string(arranged.complex.triangles.size()) + " triangles");
+  report(arranged, settings.model, std::cout);
+  const auto size = sizeOfCells(arranged, settings);
+  const auto expected = expectedCells(arranged.complex, settings.model, size);
+  report(expected, std::cout);
+  if (!settings.deck.empty()) {
+    reportDeck(arranged.complex, settings, size, expected, std::cout);
+  }
+  if (is_dry) {
+    return;
+  }
+  auto mesh = meshArranged(arranged, settings, size, reportProgress);
+  report(mesh, settings.model, std::cout);
+  if (const auto touching = mesh::touchingFacets(mesh)) {
+    warn("'" + files.mesh + "': " + mesh::sentence(*touching));
+  }
+  requireTolerance(mesh, settings);
+  for (auto& x : mesh.vertices) {
+    x = settings.is_y_up ? Point<3>{x[0], x[2], -x[1]} : x;
+  }
+  const auto split = splitMesh(mesh, junctions(arranged.complex, settings.model));
+  if (partitioning.numParts()) {
+    partitioning.write(split, {}, files.mesh);
+  } else {
+    writeAndReport(mesh, files.mesh);
+  }
+}
+} // namespace
+
+void build(Arguments& arguments)
+{
+  ShortOptions options;
+  bool is_dry = false, prints = false;
+  std::string format = "text";
+  arguments
+    .values("--fault", options.faults, "NAME=FILE,KEY=VALUE,...",
+            "a fault and its surface; keys as units=km, size=500m")
+    .value("--ground", options.ground, "FILE,KEY=VALUE,...", "the ground (the plane z = 0)")
+    .value("--units", options.units, "m or km", "of the files that name none")
+    .value("--size", options.size, "LENGTH", "of cells at faults: 500, 500m, 0.5km")
+    .value("--largest", options.largest, "LENGTH", "largest size of cells")
+    .value("--growth", options.growth, "NUMBER", "growth of cells for each metre of distance (0.3)")
+    .value("--margin", options.margin, "LENGTH", "from the faults to the walls")
+    .value("--depth", options.depth, "LENGTH", "of the bottom below z = 0")
+    .value("--snap", options.snap, "LENGTH",
+           "borders this near to another surface are made to meet it (0.1 of the size)")
+    .value("--projection", options.projection, "TEXT", "for degrees: utm11, EPSG:32611, ...")
+    .values("--set", options.assignments, "PATH/NAME=VALUE", "a parameter of the deck")
+    .value("--deck", options.deck, "RUN.xml",
+           "a deck of asperity: report what it is to expect of the mesh")
+    .values("--overlay", options.overlays, "FILE.xml", "lay this over that deck, as asperity does")
+    .flag("--dry", is_dry, "stop before the mesh is made, and report")
+    .flag("--print-parameters", prints, "print the parameters of a deck")
+    .value("--format", format, "text or xml", "of these");
+  Partitioning partitioning;
+  partitioning.declare(arguments);
+  arguments.overwrite();
+  if (!arguments.read({"MODEL.xml", "OUT.h5"}, 0)) {
+    return;
+  }
+  if (prints) {
+    ASPERITY_REQUIRE(format == "text" || format == "xml",
+                     "Option --format: '" << format << "' is not text or xml.");
+    return printParameters(*buildParameters(), std::cout,
+                           format == "xml" ? ParameterFormat::xml : ParameterFormat::text);
+  }
+  partitioning.check();
+  const auto files = filesOf(arguments, is_dry);
+  if (!is_dry) {
+    arguments.requireNew(files.mesh);
+    requireFolder(files.mesh);
+  }
+  buildFile(settingsOf(files, options), files, is_dry, partitioning);
+}
+} // namespace asperity::geometry

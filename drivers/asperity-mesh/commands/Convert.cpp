@@ -1,0 +1,170 @@
+#include "TargetFolder.hpp"
+#include "Warnings.hpp"
+#include "commands/Commands.hpp"
+#include "commands/Meshes.hpp"
+#include "formats/MeshFormat.hpp"
+
+#include "base/Errors.hpp"
+#include "base/Text.hpp"
+#include "mesh/TouchingFacets.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <variant>
+
+namespace asperity::geometry
+{
+namespace
+{
+template <int Dim>
+std::string extents(GlobalMesh<Dim> const& mesh)
+{
+  std::string text;
+  for (int d = 0; d < Dim; ++d) {
+    const auto [low, high] =
+      std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                          [d](auto const& a, auto const& b) { return a[d] < b[d]; });
+    text += (d == 0 ? "" : ", ") + std::string(1, "xyz"[d]) + " from " + formatShort((*low)[d]) +
+            " to " + formatShort((*high)[d]) + " m";
+  }
+  return text;
+}
+
+template <int Dim>
+void writeConverted(GlobalMesh<Dim> const& mesh, std::string const& where,
+                    std::string const& file_name)
+{
+  if (const auto touching = mesh::touchingFacets(mesh)) {
+    warn(where + ": " + mesh::sentence(*touching));
+  }
+  auto split = mesh; // to find faults that cannot be split here, and not when the mesh is used
+  mesh::splitFaults(split, where);
+  const std::size_t regions = mesh.region_names.size(), faults = split.faults.size();
+  writeAndReport(mesh, file_name,
+                 ", " + std::to_string(regions) + " regions, " +
+                   std::to_string(mesh.boundaries.size() - faults) + " boundaries, " +
+                   std::to_string(faults) + " faults");
+  std::cout << extents(mesh) << '\n';
+}
+
+// To metres.
+double factor(std::string const& units, std::optional<double> const& scale)
+{
+  ASPERITY_REQUIRE(!scale || *scale > 0,
+                   "Option --scale = " << formatNumber(*scale) << " is outside (0, inf).");
+  ASPERITY_REQUIRE(units.empty() || units == "m" || units == "km",
+                   "Option --units = " << units
+                                       << " is neither m nor km. For other units give --scale, "
+                                          "their size in metres.");
+  ASPERITY_REQUIRE(units.empty() || !scale,
+                   "Options --units and --scale are both given. Give one of them.");
+  return scale.value_or(units == "km" ? 1000 : 1);
+}
+
+// The options that some formats alone have.
+class OwnOptions
+{
+public:
+  void declare(Arguments& arguments)
+  {
+    auto const& registry = MeshFormatRegistry::instance();
+    for (auto const& name : registry.names()) {
+      for (auto const& option : registry.at(name).ownOptions()) {
+        auto& known = options_[option.name];
+        known.option = option;
+        known.formats += (known.formats.empty() ? "" : ", ") + name;
+      }
+    }
+    for (auto& [name, known] : options_) {
+      auto const& option = known.option;
+      const auto meaning = known.formats + ": " + option.meaning;
+      if (option.may_repeat) {
+        arguments.values(name, known.values, option.sample, meaning);
+      } else {
+        arguments.value(name, known.value, option.sample, meaning);
+      }
+    }
+  }
+
+  // What is given. InputError if the file's format has no such option.
+  std::map<std::string, std::vector<std::string>> givenTo(FoundFormat const& found,
+                                                          std::string const& where) const
+  {
+    std::map<std::string, std::vector<std::string>> given;
+    for (auto const& [name, known] : options_) {
+      const auto values =
+        known.value.empty() ? known.values : std::vector<std::string>{known.value};
+      if (values.empty()) {
+        continue;
+      }
+      const auto own = found.format->ownOptions();
+      ASPERITY_REQUIRE(
+        std::any_of(own.begin(), own.end(),
+                    [&option = name](auto const& one) { return one.name == option; }),
+        "Option " << name << ' ' << values.front() << ": " << where << " is read as " << found.name
+                  << ", and the option is only for " << known.formats << '.');
+      given[name] = values;
+    }
+    return given;
+  }
+
+private:
+  struct Known
+  {
+    FormatOption option;
+    std::string formats, value;
+    std::vector<std::string> values;
+  };
+  std::map<std::string, Known> options_;
+};
+
+// "IN.geo, IN.msh or IN.puml.h5"
+std::string alternatives(std::vector<std::string> const& endings, std::string const& name)
+{
+  std::string text;
+  for (std::size_t i = 0; i < endings.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + name + endings[i];
+  }
+  return text;
+}
+} // namespace
+
+void convert(Arguments& arguments)
+{
+  std::vector<std::string> names, region_names, without;
+  std::string units;
+  OwnOptions own;
+  std::optional<double> scale;
+  bool simplices = false;
+  arguments
+    .values(boundaries_option, names, "NUMBER=NAME,...",
+            "names of boundaries and faults by the numbers that the file has for them, as "
+            "\"1=free,3=fault,5=far\", or by their names there, as \"old=new\"; groups without a "
+            "name are called boundary_1, boundary_3, codes of SeisSol by their meaning, as "
+            "free_surface and fault")
+    .values(regions_option, region_names, "NUMBER=NAME,...", "the same for regions")
+    .values("--without", without, "NAME,...", "leave out these boundaries or faults")
+    .value("--units", units, "m|km", "unit of the coordinates (m)");
+  arguments.number("--scale", scale, "factor of all coordinates to metres, instead of --units");
+  arguments.flag("--simplices", simplices,
+                 "cut quadrilaterals, hexahedra, prisms and pyramids into triangles and "
+                 "tetrahedra, and leave out nodes of second order");
+  own.declare(arguments);
+  arguments.overwrite();
+  if (!arguments.read({alternatives(knownEndings(), "IN"), "OUT.h5"})) {
+    return;
+  }
+  auto const& from = arguments.file(0);
+  auto const& to = arguments.file(1);
+  const GroupNames groups(names, region_names, without);
+  const AssemblyOptions assembly = {factor(units, scale), simplices, groups.without};
+  arguments.requireNew(to);
+  const std::string where = "'" + from + "'";
+  const auto found = formatOf(from);
+  const ReadOptions options = {groups, assembly, to, own.givenTo(found, where)};
+  requireFolder(to);
+  const auto mesh = found.format->read(from, options);
+  std::visit([&](auto const& any) { writeConverted(any, where, to); }, mesh);
+}
+} // namespace asperity::geometry
