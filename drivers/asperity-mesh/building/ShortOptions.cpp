@@ -1,9 +1,7 @@
 #include "building/ShortOptions.hpp"
 
 #include "building/BuildParameters.hpp"
-#include "surfaces/SurfaceFile.hpp"
-#include "surfaces/grids/GridFile.hpp"
-#include "surfaces/kinds/SurfaceKind.hpp"
+#include "surfaces/kinds/SurfaceKinds.hpp"
 
 #include "base/Text.hpp"
 #include "parameters/Deck.hpp"
@@ -44,23 +42,6 @@ std::string withoutUnit(std::string const& text)
   return text;
 }
 
-// The entry of a list that names the file, by its extension and the other entries: a trace has some
-// that contours do not have.
-std::string sourceName(std::string const& file, std::vector<std::string> const& entries)
-{
-  if (isSurfaceFile(file)) {
-    return "Surface File";
-  }
-  if (isGridFile(file)) {
-    return "Grid File";
-  }
-  auto const of_trace = traceKind().entries(), of_contours = contoursKind().entries();
-  const bool is_trace = std::any_of(entries.begin(), entries.end(), [&](std::string const& entry) {
-    return of_trace->isParameter(entry) && !of_contours->isParameter(entry);
-  });
-  return is_trace ? "Trace File" : "Contours File";
-}
-
 // FILE[,KEY=VALUE]...; a piece without = belongs to the value before it: min(1, 2).
 class SurfaceText
 {
@@ -96,7 +77,7 @@ public:
       entries.push_back(parameterName(key));
     }
     auto const file = folder.empty() ? file_ : std::filesystem::proximate(file_, folder).string();
-    result.push_back(path + "/" + sourceName(file_, entries) + "=" + file);
+    result.push_back(path + "/" + fileEntryFor(file_, entries) + "=" + file);
     for (std::size_t i = 0; i < entries.size(); ++i) {
       result.push_back(path + "/" + entries[i] + "=" + withoutUnit(entries_[i].second));
     }

@@ -1,5 +1,6 @@
 #include "commands/Commands.hpp"
 
+#include "FormatChoice.hpp"
 #include "formats/MeshFormat.hpp"
 
 #include "base/Errors.hpp"
@@ -23,7 +24,7 @@ std::vector<Command> commands()
   return {
     {"build", "[MODEL.xml] OUT.h5", "Makes a mesh from surfaces of faults and ground.", build},
     {"convert", "IN OUT.h5",
-     "Converts a mesh of another program or meshes a geometry: " + knownFormats() +
+     "Converts a mesh of another program or meshes a geometry: " + describeFormats<MeshFormat>() +
        ". Groups become regions, boundaries and, where inside, faults.",
      convert},
     {"wedge", "OUT.h5", "Makes the subduction wedge of Pipping 2014, A.1, by bisection.",

@@ -1,3 +1,4 @@
+#include "FormatChoice.hpp"
 #include "TargetFolder.hpp"
 #include "Warnings.hpp"
 #include "commands/Commands.hpp"
@@ -120,13 +121,13 @@ private:
 };
 
 // "IN.geo, IN.msh or IN.puml.h5"
-std::string alternatives(std::vector<std::string> const& endings, std::string const& name)
+std::string inputNames()
 {
-  std::string text;
-  for (std::size_t i = 0; i < endings.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 < endings.size() ? ", " : " or ") + name + endings[i];
+  auto names = endingsOf<MeshFormat>();
+  for (auto& name : names) {
+    name = "IN" + name;
   }
-  return text;
+  return alternatives(names);
 }
 } // namespace
 
@@ -152,7 +153,7 @@ void convert(Arguments& arguments)
                  "tetrahedra, and leave out nodes of second order");
   own.declare(arguments);
   arguments.overwrite();
-  if (!arguments.read({alternatives(knownEndings(), "IN"), "OUT.h5"})) {
+  if (!arguments.read({inputNames(), "OUT.h5"})) {
     return;
   }
   auto const& from = arguments.file(0);

@@ -1,3 +1,4 @@
+#include "FormatChoice.hpp"
 #include "TemporaryFolder.hpp"
 #include "formats/MeshFormat.hpp"
 #include "gmsh/GmshFile.hpp"

@@ -63,9 +63,4 @@ struct FoundFormat
 };
 // By the longest ending of the file's name, in lower or upper case; InputError if none fits.
 FoundFormat formatOf(std::string const& file_name);
-std::vector<std::string> knownEndings(); // sorted
-std::string knownFormats();              // "Abaqus (.inp), Exodus (.e, .ex2, .exo) or ..."
-
-// Whether a file's name ends with this, in lower or upper case.
-bool hasEnding(std::string const& file_name, std::string const& ending);
 } // namespace asperity::geometry

@@ -1,64 +1,30 @@
 #pragma once
 
+#include "FormatChoice.hpp"
+
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
-#include <vector>
 
 namespace asperity::geometry
 {
-// An extension in small letters, with its dot, and the reader of files that have it.
-template <class Reader>
-struct FileFormat
-{
-  std::string extension;
-  Reader read;
-};
+// A file's name without .gz: a compressed file has the format of what it contains.
+std::string uncompressedName(std::string const& file_name);
 
-// In small letters; of a compressed file, NAME.ts.gz, that before .gz.
-inline std::string extensionOf(std::string const& file_name)
-{
-  std::string name = file_name.substr(file_name.find_last_of('/') + 1);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0) {
-    name.resize(name.size() - 3);
-  }
-  const auto dot = name.find_last_of('.');
-  return dot == std::string::npos ? "" : name.substr(dot);
-}
+// The extension of that name in small letters, with its dot; "" if it has none.
+std::string extensionOf(std::string const& file_name);
 
-// nullptr if none has the extension.
-template <class Reader>
-Reader const* findFormat(std::vector<FileFormat<Reader>> const& formats,
-                         std::string const& file_name)
+// The registered format of a file of surfaces or grids. what: "Surface file", for messages.
+// InputError, which lists the extensions, if none fits.
+template <class Format>
+Format const& formatOf(std::string const& file_name, std::string const& what)
 {
-  const auto extension = extensionOf(file_name);
-  for (auto const& format : formats) {
-    if (format.extension == extension) {
-      return &format.read;
-    }
-  }
-  return nullptr;
-}
-
-// InputError that lists the extensions if none fits.
-template <class Reader>
-Reader formatOf(std::vector<FileFormat<Reader>> const& formats, std::string const& file_name,
-                std::string const& what)
-{
-  auto const* found = findFormat(formats, file_name);
-  if (found == nullptr) {
-    std::vector<std::string> known;
-    for (auto const& format : formats) {
-      known.push_back(format.extension);
-    }
-    throw InputError(what + " '" + file_name + "': its extension '" + extensionOf(file_name) +
-                     "' is not that of a known format: " + quotedAlternatives(known) + ".");
-  }
-  return *found;
+  const auto found = findFormat<Format>(uncompressedName(file_name));
+  ASPERITY_REQUIRE(found.format != nullptr, what << " '" << file_name << "': its extension '"
+                                                 << extensionOf(file_name)
+                                                 << "' is not that of a known format: "
+                                                 << quotedAlternatives(endingsOf<Format>()) << ".");
+  return *found.format;
 }
 } // namespace asperity::geometry

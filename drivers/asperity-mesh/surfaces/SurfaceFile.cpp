@@ -2,7 +2,7 @@
 
 #include "surfaces/FileNames.hpp"
 #include "surfaces/Weld.hpp"
-#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
@@ -14,12 +14,9 @@ namespace asperity::geometry
 {
 namespace
 {
-const std::vector<FileFormat<SurfaceReader>> surface_formats = {
-  {".ts", readGocad}, {".stl", readStl}, {".off", readOff}, {".obj", readObj}, {".ply", readPly}};
-
 std::vector<SurfacePart> readParts(std::string const& file_name)
 {
-  auto parts = formatOf(surface_formats, file_name, "Surface file")(file_name);
+  auto parts = formatOf<SurfaceFormat>(file_name, "Surface file").read(file_name);
   ASPERITY_REQUIRE(!parts.empty(), "Surface file '" << file_name << "' has no surface.");
   return parts;
 }
@@ -103,10 +100,5 @@ TriangleSurface readSurface(std::string const& file_name, double scale, std::str
 std::vector<std::string> partsOfSurface(std::string const& file_name)
 {
   return namesOf(readParts(file_name));
-}
-
-bool isSurfaceFile(std::string const& file_name)
-{
-  return findFormat(surface_formats, file_name) != nullptr;
 }
 } // namespace asperity::geometry

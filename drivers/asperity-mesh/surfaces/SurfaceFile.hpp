@@ -8,10 +8,10 @@
 
 namespace asperity::geometry
 {
-// Reads a triangulated surface by the extension of the file: GOCAD TSurf (.ts), STL, OFF, OBJ, PLY;
-// texts may be compressed (.ts.gz). All coordinates are multiplied by `scale` [m], 1000 for a file
-// in km. Points that are equal become one, triangles without area or repeated are left out, and
-// `remark` gets a sentence on each such change. Polygons become fans of triangles.
+// Reads a triangulated surface by the extension of the file, in one of the registered formats
+// (SurfaceFormat); texts may be compressed (.ts.gz). All coordinates are multiplied by `scale` [m],
+// 1000 for a file in km. Points that are equal become one, triangles without area or repeated are
+// left out, and `remark` gets a sentence on each such change. Polygons become fans of triangles.
 // part: of a file with several surfaces the one of this name, "*" for all of them; "" needs a file
 // with one surface. InputError, with file and line or byte, for what is damaged, not finite, out of
 // range or empty, and for a part that is not there, with the names of those that are.
@@ -20,7 +20,4 @@ TriangleSurface readSurface(std::string const& file_name, double scale,
 
 // The names of the surfaces of a file.
 std::vector<std::string> partsOfSurface(std::string const& file_name);
-
-// Whether the extension is one of a format of surfaces.
-bool isSurfaceFile(std::string const& file_name);
 } // namespace asperity::geometry

@@ -118,7 +118,7 @@ TEST_F(DamagedSurface, Ply)
 
 TEST_F(DamagedSurface, Others)
 {
-  expectRefused("a.dxf", "", {"'.dxf'", "'.ts', '.stl', '.off', '.obj' or '.ply'"});
+  expectRefused("a.dxf", "", {"'.dxf'", "'.obj', '.off', '.ply', '.stl' or '.ts'"});
   expectRefused("a.ply.gz", "\x1f\x8b damaged", {"'"});
   test::expectRefusal([&] { readSurface(file("none.ts"), 1); }, {"none.ts", "Is it there"});
   std::filesystem::create_directory(file("folder.stl"));

@@ -1,5 +1,8 @@
 #include "SurfaceSamples.hpp"
 
+#include "surfaces/files/SurfaceFormat.hpp"
+#include "surfaces/grids/GridFormat.hpp"
+#include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/SurfaceKinds.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -49,6 +52,27 @@ ParameterList listOf(std::vector<std::pair<std::string, std::string>> const& tex
 
 const std::string triangle = "OFF\n3 1 0\n0 0 0\n2 0 0\n0 2 -1\n";
 } // namespace
+
+TEST_F(SurfaceKinds, AreRegisteredWithTheirFormats)
+{
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(SurfaceKindRegistry::instance().names(),
+            (Names{"Contours", "Grid", "Plane", "Surface File", "Trace"}));
+  EXPECT_EQ(SurfaceFormatRegistry::instance().names(),
+            (Names{"GOCAD TSurf", "OBJ", "OFF", "PLY", "STL"}));
+  EXPECT_EQ(GridFormatRegistry::instance().names(),
+            (Names{"ESRI ascii", "SRTM", "netCDF", "points"}));
+}
+
+TEST_F(SurfaceKinds, EntryForAFile)
+{
+  EXPECT_EQ(fileEntryFor("a/main.STL", {"Units", "Dip"}), "Surface File");
+  EXPECT_EQ(fileEntryFor("main.ts.gz", {}), "Surface File");
+  EXPECT_EQ(fileEntryFor("dem.grd", {"Units"}), "Grid File");
+  EXPECT_EQ(fileEntryFor("main.txt", {"Units", "Dip", "Depth"}), "Trace File");
+  EXPECT_EQ(fileEntryFor("main.txt", {"Units", "Lower Depth"}), "Contours File");
+  EXPECT_EQ(fileEntryFor("main.txt", {"Units", "Cell Size"}), "Contours File");
+}
 
 TEST_F(SurfaceKinds, File)
 {

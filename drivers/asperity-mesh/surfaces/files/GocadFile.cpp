@@ -1,4 +1,4 @@
-#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
 #include "base/Errors.hpp"
@@ -194,10 +194,17 @@ private:
   std::unordered_map<std::int64_t, int> numbers_;
   bool is_depth_ = false;
 };
+
+class Gocad final : public SurfaceFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".ts"}; }
+  std::vector<SurfacePart> read(std::string const& file_name) const override
+  {
+    return GocadReader(file_name).run();
+  }
+};
 } // namespace
 
-std::vector<SurfacePart> readGocad(std::string const& file_name)
-{
-  return GocadReader(file_name).run();
-}
+ASPERITY_REGISTER(SurfaceFormatRegistry, "GOCAD TSurf", Gocad)
 } // namespace asperity::geometry

@@ -1,4 +1,4 @@
-#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
 #include <charconv>
@@ -45,7 +45,6 @@ void distribute(std::vector<SurfacePart>& parts, std::vector<std::array<double, 
     used.clear();
   }
 }
-} // namespace
 
 std::vector<SurfacePart> readObj(std::string const& file_name)
 {
@@ -78,4 +77,17 @@ std::vector<SurfacePart> readObj(std::string const& file_name)
   distribute(parts, points);
   return parts;
 }
+
+class Obj final : public SurfaceFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".obj"}; }
+  std::vector<SurfacePart> read(std::string const& file_name) const override
+  {
+    return readObj(file_name);
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(SurfaceFormatRegistry, "OBJ", Obj)
 } // namespace asperity::geometry

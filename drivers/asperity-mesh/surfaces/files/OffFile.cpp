@@ -1,4 +1,4 @@
-#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
 // OFF: "OFF", counts of vertices, faces and edges, then lines "x y z ..." and "n v1 ... vn ...".
@@ -24,7 +24,6 @@ void requireLine(TextFile& file, char const* things)
     file.fail("the file ends before all " + std::string(things) + " are there: it is cut.");
   }
 }
-} // namespace
 
 std::vector<SurfacePart> readOff(std::string const& file_name)
 {
@@ -69,4 +68,17 @@ std::vector<SurfacePart> readOff(std::string const& file_name)
   }
   return parts;
 }
+
+class Off final : public SurfaceFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".off"}; }
+  std::vector<SurfacePart> read(std::string const& file_name) const override
+  {
+    return readOff(file_name);
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(SurfaceFormatRegistry, "OFF", Off)
 } // namespace asperity::geometry

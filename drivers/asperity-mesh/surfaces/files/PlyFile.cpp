@@ -1,5 +1,5 @@
 #include "surfaces/files/BinaryFile.hpp"
-#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
 #include <algorithm>
@@ -316,7 +316,6 @@ private:
   TriangleSurface surface_;
   std::vector<double> scalars_, items_;
 };
-} // namespace
 
 std::vector<SurfacePart> readPly(std::string const& file_name)
 {
@@ -332,4 +331,17 @@ std::vector<SurfacePart> readPly(std::string const& file_name)
   }
   return parts;
 }
+
+class Ply final : public SurfaceFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".ply"}; }
+  std::vector<SurfacePart> read(std::string const& file_name) const override
+  {
+    return readPly(file_name);
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(SurfaceFormatRegistry, "PLY", Ply)
 } // namespace asperity::geometry

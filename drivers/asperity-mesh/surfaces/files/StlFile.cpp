@@ -1,5 +1,5 @@
 #include "surfaces/files/BinaryFile.hpp"
-#include "surfaces/files/SurfaceFormats.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
 #include <cmath>
@@ -80,7 +80,6 @@ std::vector<SurfacePart> readBinary(BinaryFile& file)
   }
   return parts;
 }
-} // namespace
 
 // Binary files may begin with "solid", too, so the size decides.
 std::vector<SurfacePart> readStl(std::string const& file_name)
@@ -101,4 +100,17 @@ std::vector<SurfacePart> readStl(std::string const& file_name)
   }
   return readText(file_name);
 }
+
+class Stl final : public SurfaceFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".stl"}; }
+  std::vector<SurfacePart> read(std::string const& file_name) const override
+  {
+    return readStl(file_name);
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(SurfaceFormatRegistry, "STL", Stl)
 } // namespace asperity::geometry

@@ -3,10 +3,13 @@
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #ifdef ASPERITY_HAVE_ZLIB
 #include <zlib.h>
@@ -182,6 +185,15 @@ double TextFile::number(std::size_t i) const
                             : "at the end of the line."));
   }
   return value;
+}
+
+double TextFile::numberOrNan(std::size_t i) const
+{
+  const bool is_nan = i < words_.size() && words_[i].size() == 3 &&
+                      std::equal(words_[i].begin(), words_[i].end(), "nan", [](char a, char b) {
+                        return std::tolower(static_cast<unsigned char>(a)) == b;
+                      });
+  return is_nan ? std::numeric_limits<double>::quiet_NaN() : number(i);
 }
 
 std::int64_t TextFile::integer(std::size_t i) const

@@ -29,7 +29,8 @@ public:
 
   // form: "VRTX number x y z", for the message if the line has fewer words.
   void require(std::size_t num_words, char const* form) const;
-  double number(std::size_t i) const; // finite
+  double number(std::size_t i) const;      // finite
+  double numberOrNan(std::size_t i) const; // the same, or the word nan in lower or upper case
   std::int64_t integer(std::size_t i) const;
 
   [[noreturn]] void fail(std::string const& message) const; // "WHERE, line N: message"

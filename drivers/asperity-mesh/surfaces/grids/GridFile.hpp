@@ -15,11 +15,8 @@ struct GridData
   bool is_depth = false;       // z is positive downward, by the file
 };
 
-// Reads a grid by the extension of the file: netCDF (.nc, .grd, .cdf), ESRI ascii (.asc), lines
-// "x y z" in any order (.xyz), SRTM (.hgt, whose name gives its corner: N34W119.hgt).
+// Reads a grid by the extension of the file, in one of the registered formats (GridFormat).
 // variable: of a netCDF file, "" if it has one of two dimensions. InputError with file, place and
 // what is expected for what is damaged or no grid.
 GridData readGrid(std::string const& file_name, std::string const& variable = "");
-
-bool isGridFile(std::string const& file_name);
 } // namespace asperity::geometry

@@ -1,4 +1,4 @@
-#include "surfaces/grids/GridFormats.hpp"
+#include "surfaces/grids/GridFormat.hpp"
 #include "surfaces/netcdf/NetcdfFile.hpp"
 
 #include "base/Errors.hpp"
@@ -190,10 +190,18 @@ private:
   NetcdfVariable const& variable_;
   std::string where_;
 };
+
+class Netcdf final : public GridFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".nc", ".grd", ".cdf"}; }
+  bool hasVariables() const override { return true; }
+  GridData read(std::string const& file_name, std::string const& variable) const override
+  {
+    return NetcdfGridReader(file_name, variable).run();
+  }
+};
 } // namespace
 
-GridData readNetcdfGrid(std::string const& file_name, std::string const& variable)
-{
-  return NetcdfGridReader(file_name, variable).run();
-}
+ASPERITY_REGISTER(GridFormatRegistry, "netCDF", Netcdf)
 } // namespace asperity::geometry

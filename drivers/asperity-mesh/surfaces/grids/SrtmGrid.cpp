@@ -1,5 +1,5 @@
 #include "surfaces/files/BinaryFile.hpp"
-#include "surfaces/grids/GridFormats.hpp"
+#include "surfaces/grids/GridFormat.hpp"
 
 #include "base/Errors.hpp"
 
@@ -9,9 +9,11 @@
 
 namespace asperity::geometry
 {
+namespace
+{
 // Heights of a square degree [m], big-endian, row by row from the north-west corner; the name of
 // the file has the south-west corner.
-GridData readSrtmGrid(std::string const& file_name, std::string const& /*variable*/)
+GridData readSrtm(std::string const& file_name)
 {
   constexpr std::int16_t undefined = -32768;
   static const std::regex corner("([NSns])([0-9]{1,2})([EWew])([0-9]{1,3})");
@@ -47,4 +49,17 @@ GridData readSrtmGrid(std::string const& file_name, std::string const& /*variabl
   }
   return {Grid(std::move(x), std::move(y), std::move(z), true, file.where()), "degrees", 1, false};
 }
+
+class Srtm final : public GridFormat
+{
+public:
+  std::vector<std::string> endings() const override { return {".hgt"}; }
+  GridData read(std::string const& file_name, std::string const& /*variable*/) const override
+  {
+    return readSrtm(file_name);
+  }
+};
+} // namespace
+
+ASPERITY_REGISTER(GridFormatRegistry, "SRTM", Srtm)
 } // namespace asperity::geometry

@@ -48,7 +48,21 @@ TriangleSurface makeContours(ParameterList const& list, std::string const& path,
   return contourSurface(std::move(contours), options, "Contours file '" + file + "'",
                         context.remark);
 }
+
+class ContoursKind final : public SurfaceKind
+{
+public:
+  std::vector<std::string> sources() const override { return {contours_file}; }
+  std::string fileEntry() const override { return contours_file; }
+  FileFit fit(std::string const& /*file_name*/) const override { return FileFit::possible; }
+  Teuchos::RCP<const ParameterList> entries() const override { return contoursEntries(); }
+  TriangleSurface make(ParameterList const& list, std::string const& path,
+                       SurfaceContext const& context) const override
+  {
+    return makeContours(list, path, context);
+  }
+};
 } // namespace
 
-SurfaceKind contoursKind() { return {"Contours", {contours_file}, contoursEntries, makeContours}; }
+ASPERITY_REGISTER(SurfaceKindRegistry, "Contours", ContoursKind)
 } // namespace asperity::geometry

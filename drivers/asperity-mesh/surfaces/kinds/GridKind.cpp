@@ -1,5 +1,7 @@
+#include "surfaces/FileNames.hpp"
 #include "surfaces/Weld.hpp"
 #include "surfaces/grids/GridFile.hpp"
+#include "surfaces/grids/GridFormat.hpp"
 #include "surfaces/grids/SampledGrid.hpp"
 #include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/Units.hpp"
@@ -17,8 +19,7 @@ Teuchos::RCP<const ParameterList> gridEntries()
 {
   return Declare()
     .fileName(grid_file, required,
-              "The grid is in this file: netCDF (.nc, .grd), ESRI ascii (.asc), points (.xyz) or "
-              "SRTM (.hgt).")
+              "The grid is in this file: " + describeFormats<GridFormat>() + ".")
     .text("Variable", "",
           "Selects a variable of a netCDF file; a file with one grid needs no name.")
     .choice("Units", from_file, {from_file, "m", "km", "degrees"},
@@ -78,7 +79,25 @@ TriangleSurface makeGrid(ParameterList const& list, std::string const& path,
   return groundOf(data.grid, units, *context.area, step,
                   list.get<std::string>("Outside") == "Clamp" ? Outside::clamp : Outside::refuse);
 }
+
+class GridKind final : public SurfaceKind
+{
+public:
+  std::vector<std::string> sources() const override { return {grid_file}; }
+  std::string fileEntry() const override { return grid_file; }
+  FileFit fit(std::string const& file_name) const override
+  {
+    return findFormat<GridFormat>(uncompressedName(file_name)).format != nullptr ? FileFit::certain
+                                                                                 : FileFit::none;
+  }
+  Teuchos::RCP<const ParameterList> entries() const override { return gridEntries(); }
+  TriangleSurface make(ParameterList const& list, std::string const& path,
+                       SurfaceContext const& context) const override
+  {
+    return makeGrid(list, path, context);
+  }
+};
 } // namespace
 
-SurfaceKind gridKind() { return {"Grid", {grid_file}, gridEntries, makeGrid}; }
+ASPERITY_REGISTER(SurfaceKindRegistry, "Grid", GridKind)
 } // namespace asperity::geometry

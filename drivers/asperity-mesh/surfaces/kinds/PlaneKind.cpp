@@ -34,8 +34,6 @@ Entries<PlaneShape> planeEntries()
   return entries;
 }
 
-Teuchos::RCP<const ParameterList> planeParameters() { return planeEntries().list(); }
-
 TriangleSurface makePlane(ParameterList const& list, std::string const& path,
                           SurfaceContext const& context)
 {
@@ -55,7 +53,21 @@ TriangleSurface makePlane(ParameterList const& list, std::string const& path,
   }
   return planeSurface(shape);
 }
+
+class PlaneKind final : public SurfaceKind
+{
+public:
+  std::vector<std::string> sources() const override { return {top_centre}; }
+  std::string fileEntry() const override { return ""; }
+  FileFit fit(std::string const& /*file_name*/) const override { return FileFit::none; }
+  Teuchos::RCP<const ParameterList> entries() const override { return planeEntries().list(); }
+  TriangleSurface make(ParameterList const& list, std::string const& path,
+                       SurfaceContext const& context) const override
+  {
+    return makePlane(list, path, context);
+  }
+};
 } // namespace
 
-SurfaceKind planeKind() { return {"Plane", {top_centre}, planeParameters, makePlane}; }
+ASPERITY_REGISTER(SurfaceKindRegistry, "Plane", PlaneKind)
 } // namespace asperity::geometry

@@ -1,4 +1,6 @@
+#include "surfaces/FileNames.hpp"
 #include "surfaces/SurfaceFile.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/Units.hpp"
 
@@ -13,7 +15,7 @@ Teuchos::RCP<const ParameterList> surfaceFileEntries()
 {
   Declare declare;
   declare.fileName(surface_file, required,
-                   "The triangles are in this file: GOCAD TSurf (.ts), STL, OFF, OBJ or PLY.");
+                   "The triangles are in this file: " + describeFormats<SurfaceFormat>() + ".");
   declare.text(part_name, "",
                "Selects one of several surfaces of the file by its name; '*' takes all of them as "
                "one.");
@@ -36,10 +38,26 @@ TriangleSurface makeSurfaceFile(ParameterList const& list, std::string const& pa
   units.toModel(surface.points);
   return surface;
 }
+
+class SurfaceFileKind final : public SurfaceKind
+{
+public:
+  std::vector<std::string> sources() const override { return {surface_file}; }
+  std::string fileEntry() const override { return surface_file; }
+  FileFit fit(std::string const& file_name) const override
+  {
+    return findFormat<SurfaceFormat>(uncompressedName(file_name)).format != nullptr
+             ? FileFit::certain
+             : FileFit::none;
+  }
+  Teuchos::RCP<const ParameterList> entries() const override { return surfaceFileEntries(); }
+  TriangleSurface make(ParameterList const& list, std::string const& path,
+                       SurfaceContext const& context) const override
+  {
+    return makeSurfaceFile(list, path, context);
+  }
+};
 } // namespace
 
-SurfaceKind surfaceFileKind()
-{
-  return {"Surface File", {surface_file}, surfaceFileEntries, makeSurfaceFile};
-}
+ASPERITY_REGISTER(SurfaceKindRegistry, "Surface File", SurfaceFileKind)
 } // namespace asperity::geometry

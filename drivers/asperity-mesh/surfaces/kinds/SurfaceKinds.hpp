@@ -33,8 +33,8 @@ struct SurfaceContext
   RemarkSink remark = warn;
 };
 
-// The kinds of surfaces that a deck has: each has entries of its own, which stand in the list of
-// the surface among others that this part does not read.
+// The functions that a deck's list of a surface needs, for all registered kinds (SurfaceKind). Each
+// kind has entries of its own. They stand in the list of the surface, which may have others, too.
 //
 //   Declare declare;
 //   declareSurface(declare);                      // `Type` and the entries of each type
@@ -43,9 +43,9 @@ struct SurfaceContext
 //   makeSurface(list, path, context);
 Declare& declareSurface(Declare& declare);
 
-// Sets `Type`, unless the deck gives it, to the kind of which the list has the entry that names its
-// source: `Surface File`, `Trace File`, `Trace`, `Contours File`, `Grid File` or `Top Centre`.
-// InputError if it has none of them, or those of several kinds.
+// Sets `Type`, unless the deck gives it, to the kind of which the list has an entry that says where
+// the surface comes from (SurfaceKind::sources), such as `Surface File` or `Top Centre`. InputError
+// if it has none of them, or those of several kinds.
 void chooseSurfaceType(ParameterList& list, std::string const& path);
 
 // list: complete, see above; path: where it stands, for messages. InputError if files or numbers
@@ -53,6 +53,7 @@ void chooseSurfaceType(ParameterList& list, std::string const& path);
 TriangleSurface makeSurface(ParameterList const& list, std::string const& path,
                             SurfaceContext const& context);
 
-// The words of `Type`.
-std::vector<std::string> surfaceTypes();
+// The entry that names this file, of a list that has these other entries as well: `Surface File` for
+// "main.stl". If the file's name does not tell it, that of the kind which knows most of the entries.
+std::string fileEntryFor(std::string const& file_name, std::vector<std::string> const& entries);
 } // namespace asperity::geometry

@@ -121,7 +121,21 @@ TriangleSurface makeTrace(ParameterList const& list, std::string const& path,
   }
   return dippingSurface(given, path);
 }
+
+class TraceKind final : public SurfaceKind
+{
+public:
+  std::vector<std::string> sources() const override { return {trace_file, trace_name}; }
+  std::string fileEntry() const override { return trace_file; }
+  FileFit fit(std::string const& /*file_name*/) const override { return FileFit::possible; }
+  Teuchos::RCP<const ParameterList> entries() const override { return traceEntries(); }
+  TriangleSurface make(ParameterList const& list, std::string const& path,
+                       SurfaceContext const& context) const override
+  {
+    return makeTrace(list, path, context);
+  }
+};
 } // namespace
 
-SurfaceKind traceKind() { return {"Trace", {trace_file, trace_name}, traceEntries, makeTrace}; }
+ASPERITY_REGISTER(SurfaceKindRegistry, "Trace", TraceKind)
 } // namespace asperity::geometry

@@ -1,13 +1,17 @@
 #include "surfaces/files/TextFile.hpp"
-#include "surfaces/grids/GridFormats.hpp"
+#include "surfaces/grids/GridFormat.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace asperity::geometry
 {
@@ -21,11 +25,6 @@ std::string lowerCase(std::string_view word)
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
-}
-
-double numberOrNan(TextFile const& file, std::size_t i)
-{
-  return lowerCase(file.word(i)) == "nan" ? no_value : file.number(i);
 }
 
 // Header "ncols 3", "nrows 2", "xllcorner 0", "yllcorner 0", "cellsize 10", "NODATA_value -9999",
@@ -47,7 +46,7 @@ public:
     z.reserve(num_x * num_y);
     do {
       for (std::size_t i = 0; i < file_.words().size(); ++i) {
-        const double value = numberOrNan(file_, i);
+        const double value = file_.numberOrNan(i);
         z.push_back(has("nodata_value") && value == header_.at("nodata_value") ? no_value : value);
       }
     } while (z.size() < num_x * num_y && file_.next());
@@ -67,7 +66,7 @@ private:
     while (file_.next() && std::isalpha(static_cast<unsigned char>(file_.word(0)[0])) != 0 &&
            lowerCase(file_.word(0)) != "nan") {
       file_.require(2, "ncols 100");
-      header_[lowerCase(file_.word(0))] = numberOrNan(file_, 1);
+      header_[lowerCase(file_.word(0))] = file_.numberOrNan(1);
     }
   }
 
@@ -107,59 +106,16 @@ private:
   std::map<std::string, double> header_;
 };
 
-// The distinct values, sorted; those closer than a millionth of all are one.
-std::vector<double> distinct(std::vector<double> values)
+class EsriGrid final : public GridFormat
 {
-  std::sort(values.begin(), values.end());
-  const double least = 1e-6 * (values.back() - values.front());
-  std::vector<double> result;
-  for (const double value : values) {
-    if (result.empty() || value - result.back() > least) {
-      result.push_back(value);
-    }
+public:
+  std::vector<std::string> endings() const override { return {".asc"}; }
+  GridData read(std::string const& file_name, std::string const& /*variable*/) const override
+  {
+    return EsriReader(file_name).run();
   }
-  return result;
-}
-
-std::size_t nearest(std::vector<double> const& axis, double value)
-{
-  const auto above = std::lower_bound(axis.begin(), axis.end(), value);
-  if (above == axis.begin()) {
-    return 0;
-  }
-  const auto at = static_cast<std::size_t>(above - axis.begin());
-  return at == axis.size() || value - axis[at - 1] < axis[at] - value ? at - 1 : at;
-}
+};
 } // namespace
 
-GridData readEsriGrid(std::string const& file_name, std::string const& /*variable*/)
-{
-  return EsriReader(file_name).run();
-}
-
-GridData readPointGrid(std::string const& file_name, std::string const& /*variable*/)
-{
-  TextFile file(file_name, "Grid file", '#');
-  std::vector<double> x, y, z;
-  while (file.next()) {
-    file.require(3, "x y z");
-    x.push_back(file.number(0));
-    y.push_back(file.number(1));
-    z.push_back(numberOrNan(file, 2));
-  }
-  ASPERITY_REQUIRE(!x.empty(), file.where() << " has no point.");
-  const auto xs = distinct(x), ys = distinct(y);
-  constexpr double most_gaps = 4; // crossings of lines for each point
-  ASPERITY_REQUIRE(static_cast<double>(xs.size()) * static_cast<double>(ys.size()) <=
-                     most_gaps * static_cast<double>(x.size()),
-                   file.where() << ": its " << x.size() << " points have " << xs.size()
-                                << " different x and " << ys.size()
-                                << " different y, so that they are no grid. Interpolate them to "
-                                   "one, for example by gmt surface.");
-  std::vector<double> values(xs.size() * ys.size(), no_value);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    values[nearest(ys, y[i]) * xs.size() + nearest(xs, x[i])] = z[i];
-  }
-  return {Grid(xs, ys, std::move(values), false, file.where()), "", 0, false};
-}
+ASPERITY_REGISTER(GridFormatRegistry, "ESRI ascii", EsriGrid)
 } // namespace asperity::geometry
