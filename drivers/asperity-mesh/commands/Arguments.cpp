@@ -59,20 +59,17 @@ template Arguments& Arguments::number(std::string const&, std::optional<int>&, s
 
 void Arguments::overwrite() { flag("--overwrite", overwrites_, "replace a file that is there"); }
 
-bool Arguments::read(std::vector<std::string> const& files, std::optional<std::size_t> fewest)
+void Arguments::read(std::vector<std::string> const& words, std::vector<std::string> const& files,
+                     std::size_t fewest)
 {
-  if (!words_) {
-    return false;
-  }
-  files_ = parse(*words_);
+  files_ = parse(words);
   for (auto const& reader : readers_) {
     reader();
   }
-  const std::size_t found = files_.size(), wanted = files.size();
-  ASPERITY_REQUIRE(found <= wanted, "Unexpected argument '" << files_[wanted] << "'.");
-  ASPERITY_REQUIRE(found >= fewest.value_or(wanted),
+  const std::size_t found = files_.size();
+  ASPERITY_REQUIRE(found <= files.size(), "Unexpected argument '" << files_[files.size()] << "'.");
+  ASPERITY_REQUIRE(found >= fewest,
                    "The file " << files[found] << " is missing. See asperity-mesh --help.");
-  return true;
 }
 
 void Arguments::requireNew(std::string const& file_name) const

@@ -10,27 +10,27 @@
 
 namespace asperity::geometry
 {
-// The arguments after the name of a command, which declares its options, reads them, and works:
+// The arguments after the name of a command, which declares its options; then they are read:
 //
 //   double width = 1;
 //   arguments.number("--width", width, "along x, m");
-//   if (arguments.read({"OUT.h5"})) { ... arguments.file(0) ... }
+//   arguments.read(words, {"OUT.h5"}, 1);
+//   ... arguments.file(0) ...
 //
-// For --help nothing is read. What is not given keeps its value, which --help prints.
+// What is not given keeps its value, which --help prints. Targets have to outlive the arguments.
 class Arguments : public Options
 {
 public:
-  explicit Arguments(std::optional<std::vector<std::string>> words) : words_(std::move(words)) {}
-
   // double, int, and std::optional of them, which has no value unless the option is given.
   template <class Number>
   Arguments& number(std::string const& name, Number& target, std::string const& meaning);
   void overwrite(); // declares the flag for requireNew
 
-  // Whether the command has to work. `files` are the names that --help uses, such as "OUT.h5".
-  // InputError if an option is unknown or no number, or a file is missing; at least `fewest` of
-  // them have to be there, all if that is not given.
-  bool read(std::vector<std::string> const& files, std::optional<std::size_t> fewest = {});
+  // Reads options and names of files. `files` are the names that --help uses, such as "OUT.h5".
+  // InputError if an option is unknown or no number, a file is missing, of which at least `fewest`
+  // have to be there, or there are too many.
+  void read(std::vector<std::string> const& words, std::vector<std::string> const& files,
+            std::size_t fewest);
   int numFiles() const { return static_cast<int>(files_.size()); }
   std::string const& file(int i) const { return files_[static_cast<std::size_t>(i)]; }
 
@@ -38,8 +38,7 @@ public:
   void requireNew(std::string const& file_name) const;
 
 private:
-  std::optional<std::vector<std::string>> words_; // none for --help
-  std::list<std::string> texts_;                  // a list, because Options keeps references
+  std::list<std::string> texts_; // a list, because Options keeps references
   std::vector<std::function<void()>> readers_;
   std::vector<std::string> files_;
   bool overwrites_ = false;

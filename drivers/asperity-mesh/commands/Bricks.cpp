@@ -111,52 +111,74 @@ void addFaults(GlobalMesh<Dim>& mesh, std::vector<std::string> const& settings)
 }
 
 template <int Dim>
-void makeBricks(Arguments& arguments)
+class Bricks final : public Command
 {
-  Point<Dim> size, lowest{}, brick;
-  std::array<int, Dim> cells;
-  size.fill(1);
-  cells.fill(1);
-  std::string periodic, cell_size;
-  std::vector<std::string> faults;
-  for (int d = 0; d < Dim; ++d) {
-    const std::string name(1, "xyz"[d]);
-    arguments.number(axes[d].size, size[d], "along " + name + ", m")
-      .number(axes[d].cells, cells[d],
-              std::string("number of bricks of ") + (Dim == 2 ? "two triangles" : "six tetrahedra"))
-      .number(axes[d].lowest, lowest[d], "smallest " + name + ", m");
+public:
+  Bricks()
+  {
+    size_.fill(1);
+    cells_.fill(1);
   }
-  if (Dim == 3) {
-    arguments.value("--periodic", periodic, "AXES",
-                    "as \"z\" or \"x, z\"; at least 3 bricks along them");
+
+  CommandText text() const override
+  {
+    return {Dim == 2 ? "rectangle" : "box",
+            "OUT.h5",
+            Dim == 2 ? "Makes a rectangle of right triangles, graded by bisection."
+                     : "Makes a box of bricks of six tetrahedra each, graded by bisection.",
+            {"OUT.h5"}};
   }
-  arguments.value("--cell-size", cell_size, "FORMULA",
-                  std::string("longest side of the bricks, m, in ") +
-                    (Dim == 2 ? "x and y" : "x, y and z"));
-  arguments.values("--fault", faults, "NAME=CONDITION",
-                   "a fault inside, as \"main=abs(y) < 1e-6\", along which cells have their edges");
-  arguments.overwrite();
-  if (!arguments.read({"OUT.h5"})) {
-    return;
-  }
-  arguments.requireNew(arguments.file(0));
-  auto mesh = bricks(size, cells, lowest);
-  if constexpr (Dim == 3) {
-    if (!periodic.empty()) {
-      makePeriodicAlong(periodic, mesh);
-    }
-  }
-  if (!cell_size.empty()) {
+
+  void declareOptions(Arguments& arguments) override
+  {
+    const std::string pieces = Dim == 2 ? "two triangles" : "six tetrahedra";
     for (int d = 0; d < Dim; ++d) {
-      brick[d] = size[d] / cells[d];
+      const std::string name(1, "xyz"[d]);
+      arguments.number(axes[d].size, size_[d], "along " + name + ", m")
+        .number(axes[d].cells, cells_[d], "number of bricks of " + pieces)
+        .number(axes[d].lowest, lowest_[d], "smallest " + name + ", m");
     }
-    mesh = graded<Dim>(mesh, brick, cell_size);
+    if (Dim == 3) {
+      arguments.value("--periodic", periodic_, "AXES",
+                      "as \"z\" or \"x, z\"; at least 3 bricks along them");
+    }
+    arguments.value("--cell-size", cell_size_, "FORMULA",
+                    std::string("longest side of the bricks, m, in ") +
+                      (Dim == 2 ? "x and y" : "x, y and z"));
+    arguments.values(
+      "--fault", faults_, "NAME=CONDITION",
+      "a fault inside, as \"main=abs(y) < 1e-6\", along which cells have their edges");
+    arguments.overwrite();
   }
-  addFaults(mesh, faults);
-  writeAndReport(mesh, arguments.file(0));
-}
+
+  void run(Arguments const& arguments) override
+  {
+    arguments.requireNew(arguments.file(0));
+    auto mesh = bricks(size_, cells_, lowest_);
+    if constexpr (Dim == 3) {
+      if (!periodic_.empty()) {
+        makePeriodicAlong(periodic_, mesh);
+      }
+    }
+    if (!cell_size_.empty()) {
+      Point<Dim> brick;
+      for (int d = 0; d < Dim; ++d) {
+        brick[d] = size_[d] / cells_[d];
+      }
+      mesh = graded<Dim>(mesh, brick, cell_size_);
+    }
+    addFaults(mesh, faults_);
+    writeAndReport(mesh, arguments.file(0));
+  }
+
+private:
+  Point<Dim> size_, lowest_{};
+  std::array<int, Dim> cells_;
+  std::string periodic_, cell_size_;
+  std::vector<std::string> faults_;
+};
 } // namespace
 
-void makeRectangle(Arguments& arguments) { makeBricks<2>(arguments); }
-void makeBox(Arguments& arguments) { makeBricks<3>(arguments); }
+std::unique_ptr<Command> rectangleCommand() { return std::make_unique<Bricks<2>>(); }
+std::unique_ptr<Command> boxCommand() { return std::make_unique<Bricks<3>>(); }
 } // namespace asperity::geometry

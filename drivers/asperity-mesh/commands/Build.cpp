@@ -145,51 +145,72 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
     writeAndReport(mesh, files.mesh);
   }
 }
+
+class Build final : public Command
+{
+public:
+  CommandText text() const override
+  {
+    return {"build",
+            "[MODEL.xml] OUT.h5",
+            "Makes a mesh from surfaces of faults and ground.",
+            {"MODEL.xml", "OUT.h5"},
+            0};
+  }
+
+  void declareOptions(Arguments& arguments) override
+  {
+    auto& options = options_;
+    arguments
+      .values("--fault", options.faults, "NAME=FILE,KEY=VALUE,...",
+              "a fault and its surface; keys as units=km, size=500m")
+      .value("--ground", options.ground, "FILE,KEY=VALUE,...", "the ground (the plane z = 0)")
+      .value("--units", options.units, "m or km", "of the files that name none")
+      .value("--size", options.size, "LENGTH", "of cells at faults: 500, 500m, 0.5km")
+      .value("--largest", options.largest, "LENGTH", "largest size of cells")
+      .value("--growth", options.growth, "NUMBER",
+             "growth of cells for each metre of distance (0.3)")
+      .value("--margin", options.margin, "LENGTH", "from the faults to the walls")
+      .value("--depth", options.depth, "LENGTH", "of the bottom below z = 0")
+      .value("--snap", options.snap, "LENGTH",
+             "borders this near to another surface are made to meet it (0.1 of the size)")
+      .value("--projection", options.projection, "TEXT", "for degrees: utm11, EPSG:32611, ...")
+      .values("--set", options.assignments, "PATH/NAME=VALUE", "a parameter of the deck")
+      .value("--deck", options.deck, "RUN.xml",
+             "a deck of asperity: report what it is to expect of the mesh")
+      .values("--overlay", options.overlays, "FILE.xml",
+              "lay this over that deck, as asperity does")
+      .flag("--dry", is_dry_, "stop before the mesh is made, and report")
+      .flag("--print-parameters", prints_, "print the parameters of a deck")
+      .value("--format", format_, "text or xml", "of these");
+    partitioning_.declare(arguments);
+    arguments.overwrite();
+  }
+
+  void run(Arguments const& arguments) override
+  {
+    if (prints_) {
+      ASPERITY_REQUIRE(format_ == "text" || format_ == "xml",
+                       "Option --format: '" << format_ << "' is not text or xml.");
+      return printParameters(*buildParameters(), std::cout,
+                             format_ == "xml" ? ParameterFormat::xml : ParameterFormat::text);
+    }
+    partitioning_.check();
+    const auto files = filesOf(arguments, is_dry_);
+    if (!is_dry_) {
+      arguments.requireNew(files.mesh);
+      requireFolder(files.mesh);
+    }
+    buildFile(settingsOf(files, options_), files, is_dry_, partitioning_);
+  }
+
+private:
+  ShortOptions options_;
+  bool is_dry_ = false, prints_ = false;
+  std::string format_ = "text";
+  Partitioning partitioning_;
+};
 } // namespace
 
-void build(Arguments& arguments)
-{
-  ShortOptions options;
-  bool is_dry = false, prints = false;
-  std::string format = "text";
-  arguments
-    .values("--fault", options.faults, "NAME=FILE,KEY=VALUE,...",
-            "a fault and its surface; keys as units=km, size=500m")
-    .value("--ground", options.ground, "FILE,KEY=VALUE,...", "the ground (the plane z = 0)")
-    .value("--units", options.units, "m or km", "of the files that name none")
-    .value("--size", options.size, "LENGTH", "of cells at faults: 500, 500m, 0.5km")
-    .value("--largest", options.largest, "LENGTH", "largest size of cells")
-    .value("--growth", options.growth, "NUMBER", "growth of cells for each metre of distance (0.3)")
-    .value("--margin", options.margin, "LENGTH", "from the faults to the walls")
-    .value("--depth", options.depth, "LENGTH", "of the bottom below z = 0")
-    .value("--snap", options.snap, "LENGTH",
-           "borders this near to another surface are made to meet it (0.1 of the size)")
-    .value("--projection", options.projection, "TEXT", "for degrees: utm11, EPSG:32611, ...")
-    .values("--set", options.assignments, "PATH/NAME=VALUE", "a parameter of the deck")
-    .value("--deck", options.deck, "RUN.xml",
-           "a deck of asperity: report what it is to expect of the mesh")
-    .values("--overlay", options.overlays, "FILE.xml", "lay this over that deck, as asperity does")
-    .flag("--dry", is_dry, "stop before the mesh is made, and report")
-    .flag("--print-parameters", prints, "print the parameters of a deck")
-    .value("--format", format, "text or xml", "of these");
-  Partitioning partitioning;
-  partitioning.declare(arguments);
-  arguments.overwrite();
-  if (!arguments.read({"MODEL.xml", "OUT.h5"}, 0)) {
-    return;
-  }
-  if (prints) {
-    ASPERITY_REQUIRE(format == "text" || format == "xml",
-                     "Option --format: '" << format << "' is not text or xml.");
-    return printParameters(*buildParameters(), std::cout,
-                           format == "xml" ? ParameterFormat::xml : ParameterFormat::text);
-  }
-  partitioning.check();
-  const auto files = filesOf(arguments, is_dry);
-  if (!is_dry) {
-    arguments.requireNew(files.mesh);
-    requireFolder(files.mesh);
-  }
-  buildFile(settingsOf(files, options), files, is_dry, partitioning);
-}
+std::unique_ptr<Command> buildCommand() { return std::make_unique<Build>(); }
 } // namespace asperity::geometry

@@ -1,58 +1,30 @@
 #include "commands/Commands.hpp"
 
-#include "FormatChoice.hpp"
-#include "formats/MeshFormat.hpp"
-
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 namespace asperity::geometry
 {
 namespace
 {
-struct Command
-{
-  std::string name, files, meaning;
-  void (*run)(Arguments&);
-};
-
-std::vector<Command> commands()
-{
-  return {
-    {"build", "[MODEL.xml] OUT.h5", "Makes a mesh from surfaces of faults and ground.", build},
-    {"convert", "IN OUT.h5",
-     "Converts a mesh of another program or meshes a geometry: " + describeFormats<MeshFormat>() +
-       ". Groups become regions, boundaries and, where inside, faults.",
-     convert},
-    {"wedge", "OUT.h5", "Makes the subduction wedge of Pipping 2014, A.1, by bisection.",
-     makeWedge},
-    {"rectangle", "OUT.h5", "Makes a rectangle of right triangles, graded by bisection.",
-     makeRectangle},
-    {"box", "OUT.h5", "Makes a box of bricks of six tetrahedra each, graded by bisection.",
-     makeBox},
-    {"partition", "FILE.h5",
-     "Divides a mesh, partitioned before or not, into parts for ranks, after it has been "
-     "split\n    along its faults. A mesh that is partitioned again keeps boundary and "
-     "weight.",
-     partition},
-    {"info", "FILE.h5",
-     "Prints counts after the split along the faults, sizes, regions, boundaries and faults.",
-     printInfo}};
-}
-
+// In the order of --help.
+constexpr std::unique_ptr<Command> (*commands[])() = {
+  buildCommand, convertCommand,   wedgeCommand, rectangleCommand,
+  boxCommand,   partitionCommand, infoCommand};
 } // namespace
 
 void printHelp()
 {
   std::cout << "asperity-mesh makes, converts and partitions meshes.\n";
-  for (auto const& command : commands()) {
-    Arguments arguments(std::nullopt);
-    command.run(arguments);
-    std::cout << "\n  asperity-mesh " << command.name << ' ' << command.files << " [options]\n    "
-              << command.meaning << '\n'
+  for (auto const make : commands) {
+    const auto command = make();
+    const auto text = command->text();
+    Arguments arguments;
+    command->declareOptions(arguments);
+    std::cout << "\n  asperity-mesh " << text.name << ' ' << text.usage << " [options]\n    "
+              << text.meaning << '\n'
               << arguments.help();
   }
   std::cout << "\nEvery command takes --plugin LIBRARY, which brings a format of meshes of your "
@@ -64,12 +36,17 @@ void runCommand(std::vector<std::string> const& words)
 {
   ASPERITY_REQUIRE(!words.empty(), "A command is missing. See asperity-mesh --help.");
   std::vector<std::string> names;
-  for (auto const& command : commands()) {
-    names.push_back(command.name);
-    if (command.name == words[0]) {
-      Arguments arguments(std::vector(words.begin() + 1, words.end()));
-      return command.run(arguments);
+  for (auto const make : commands) {
+    const auto command = make();
+    const auto text = command->text();
+    if (text.name == words[0]) {
+      Arguments arguments;
+      command->declareOptions(arguments);
+      arguments.read({words.begin() + 1, words.end()}, text.files,
+                     text.fewest_files.value_or(text.files.size()));
+      return command->run(arguments);
     }
+    names.push_back(text.name);
   }
   throw InputError("Unknown command '" + words[0] + "'." + didYouMean(words[0], names));
 }

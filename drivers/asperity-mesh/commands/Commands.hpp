@@ -1,18 +1,20 @@
 #pragma once
 
-#include "commands/Arguments.hpp"
+#include "commands/Command.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {
-// The commands of asperity-mesh, which the table in Commands.cpp describes. InputError if an
-// argument, or a file that it names, is wrong.
-void build(Arguments& arguments);
-void convert(Arguments& arguments);
-void makeWedge(Arguments& arguments);
-void makeRectangle(Arguments& arguments);
-void makeBox(Arguments& arguments);
-void partition(Arguments& arguments);
-void printInfo(Arguments& arguments);
+std::unique_ptr<Command> buildCommand();
+std::unique_ptr<Command> convertCommand();
+std::unique_ptr<Command> wedgeCommand();
+std::unique_ptr<Command> rectangleCommand();
+std::unique_ptr<Command> boxCommand();
+std::unique_ptr<Command> partitionCommand();
+std::unique_ptr<Command> infoCommand();
 
 // Runs the command of the first word with the others. InputError also if there is no such command.
 void runCommand(std::vector<std::string> const& words);

@@ -129,43 +129,62 @@ std::string inputNames()
   }
   return alternatives(names);
 }
+
+class Convert final : public Command
+{
+public:
+  CommandText text() const override
+  {
+    return {
+      "convert",
+      "IN OUT.h5",
+      "Converts a mesh of another program or meshes a geometry: " + describeFormats<MeshFormat>() +
+        ". Groups become regions, boundaries and, where inside, faults.",
+      {inputNames(), "OUT.h5"}};
+  }
+
+  void declareOptions(Arguments& arguments) override
+  {
+    arguments
+      .values(boundaries_option, names_, "NUMBER=NAME,...",
+              "names of boundaries and faults by the numbers that the file has for them, as "
+              "\"1=free,3=fault,5=far\", or by their names there, as \"old=new\"; groups without "
+              "a name are called boundary_1, boundary_3, codes of SeisSol by their meaning, as "
+              "free_surface and fault")
+      .values(regions_option, region_names_, "NUMBER=NAME,...", "the same for regions")
+      .values("--without", without_, "NAME,...", "leave out these boundaries or faults")
+      .value("--units", units_, "m|km", "unit of the coordinates (m)");
+    arguments.number("--scale", scale_, "factor of all coordinates to metres, instead of --units");
+    arguments.flag("--simplices", simplices_,
+                   "cut quadrilaterals, hexahedra, prisms and pyramids into triangles and "
+                   "tetrahedra, and leave out nodes of second order");
+    own_.declare(arguments);
+    arguments.overwrite();
+  }
+
+  void run(Arguments const& arguments) override
+  {
+    auto const& from = arguments.file(0);
+    auto const& to = arguments.file(1);
+    const GroupNames groups(names_, region_names_, without_);
+    const AssemblyOptions assembly = {factor(units_, scale_), simplices_, groups.without};
+    arguments.requireNew(to);
+    const std::string where = "'" + from + "'";
+    const auto found = formatOf(from);
+    const ReadOptions options = {groups, assembly, to, own_.givenTo(found, where)};
+    requireFolder(to);
+    const auto mesh = found.format->read(from, options);
+    std::visit([&](auto const& any) { writeConverted(any, where, to); }, mesh);
+  }
+
+private:
+  std::vector<std::string> names_, region_names_, without_;
+  std::string units_;
+  OwnOptions own_;
+  std::optional<double> scale_;
+  bool simplices_ = false;
+};
 } // namespace
 
-void convert(Arguments& arguments)
-{
-  std::vector<std::string> names, region_names, without;
-  std::string units;
-  OwnOptions own;
-  std::optional<double> scale;
-  bool simplices = false;
-  arguments
-    .values(boundaries_option, names, "NUMBER=NAME,...",
-            "names of boundaries and faults by the numbers that the file has for them, as "
-            "\"1=free,3=fault,5=far\", or by their names there, as \"old=new\"; groups without a "
-            "name are called boundary_1, boundary_3, codes of SeisSol by their meaning, as "
-            "free_surface and fault")
-    .values(regions_option, region_names, "NUMBER=NAME,...", "the same for regions")
-    .values("--without", without, "NAME,...", "leave out these boundaries or faults")
-    .value("--units", units, "m|km", "unit of the coordinates (m)");
-  arguments.number("--scale", scale, "factor of all coordinates to metres, instead of --units");
-  arguments.flag("--simplices", simplices,
-                 "cut quadrilaterals, hexahedra, prisms and pyramids into triangles and "
-                 "tetrahedra, and leave out nodes of second order");
-  own.declare(arguments);
-  arguments.overwrite();
-  if (!arguments.read({inputNames(), "OUT.h5"})) {
-    return;
-  }
-  auto const& from = arguments.file(0);
-  auto const& to = arguments.file(1);
-  const GroupNames groups(names, region_names, without);
-  const AssemblyOptions assembly = {factor(units, scale), simplices, groups.without};
-  arguments.requireNew(to);
-  const std::string where = "'" + from + "'";
-  const auto found = formatOf(from);
-  const ReadOptions options = {groups, assembly, to, own.givenTo(found, where)};
-  requireFolder(to);
-  const auto mesh = found.format->read(from, options);
-  std::visit([&](auto const& any) { writeConverted(any, where, to); }, mesh);
-}
+std::unique_ptr<Command> convertCommand() { return std::make_unique<Convert>(); }
 } // namespace asperity::geometry

@@ -89,24 +89,38 @@ void printCrossings(GlobalMesh<Dim> const& mesh)
               << " m\n";
   }
 }
+
+class Info final : public Command
+{
+public:
+  CommandText text() const override
+  {
+    return {"info",
+            "FILE.h5",
+            "Prints counts after the split along the faults, sizes, regions, boundaries, faults "
+            "and crossings.",
+            {"FILE.h5"}};
+  }
+
+  void declareOptions(Arguments& /*arguments*/) override {}
+
+  void run(Arguments const& arguments) override
+  {
+    withMesh(arguments.file(0), [](auto const& mesh, auto const& parts) {
+      if (parts) {
+        std::cout << "parts            " << parts->num_parts;
+        if (!parts->options.boundary.empty()) {
+          std::cout << ", with boundary " << parts->options.boundary << " balanced";
+        }
+        std::cout << "\nfingerprint      " << parts->fingerprint << '\n';
+      }
+      printSizes(mesh);
+      printNames(mesh);
+      printCrossings(mesh);
+    });
+  }
+};
 } // namespace
 
-void printInfo(Arguments& arguments)
-{
-  if (!arguments.read({"FILE.h5"})) {
-    return;
-  }
-  withMesh(arguments.file(0), [](auto const& mesh, auto const& parts) {
-    if (parts) {
-      std::cout << "parts            " << parts->num_parts;
-      if (!parts->options.boundary.empty()) {
-        std::cout << ", with boundary " << parts->options.boundary << " balanced";
-      }
-      std::cout << "\nfingerprint      " << parts->fingerprint << '\n';
-    }
-    printSizes(mesh);
-    printNames(mesh);
-    printCrossings(mesh);
-  });
-}
+std::unique_ptr<Command> infoCommand() { return std::make_unique<Info>(); }
 } // namespace asperity::geometry

@@ -6,23 +6,45 @@
 
 namespace asperity::geometry
 {
-void partition(Arguments& arguments)
+namespace
 {
-  Partitioning partitioning;
-  std::string target;
-  partitioning.declare(arguments);
-  arguments.value("--output", target, "OUT.h5", "the file to be made");
-  arguments.overwrite();
-  if (!arguments.read({"FILE.h5"})) {
-    return;
+class Partition final : public Command
+{
+public:
+  CommandText text() const override
+  {
+    return {"partition",
+            "FILE.h5",
+            "Divides a mesh, partitioned before or not, into parts for ranks, after it has been "
+            "split\n    along its faults. A mesh that is partitioned again keeps boundary and "
+            "weight.",
+            {"FILE.h5"}};
   }
-  ASPERITY_REQUIRE(partitioning.numParts(),
-                   "Option --parts is missing: the number of ranks that are to read the mesh.");
-  ASPERITY_REQUIRE(!target.empty(), "Option --output is missing: the file to be made.");
-  partitioning.check();
-  arguments.requireNew(target);
-  withMesh(arguments.file(0), [&](auto const& mesh, auto const& parts) {
-    partitioning.write(mesh, parts ? parts->options : mesh::PartitionOptions(), target);
-  });
-}
+
+  void declareOptions(Arguments& arguments) override
+  {
+    partitioning_.declare(arguments);
+    arguments.value("--output", target_, "OUT.h5", "the file to be made");
+    arguments.overwrite();
+  }
+
+  void run(Arguments const& arguments) override
+  {
+    ASPERITY_REQUIRE(partitioning_.numParts(),
+                     "Option --parts is missing: the number of ranks that are to read the mesh.");
+    ASPERITY_REQUIRE(!target_.empty(), "Option --output is missing: the file to be made.");
+    partitioning_.check();
+    arguments.requireNew(target_);
+    withMesh(arguments.file(0), [&](auto const& mesh, auto const& parts) {
+      partitioning_.write(mesh, parts ? parts->options : mesh::PartitionOptions(), target_);
+    });
+  }
+
+private:
+  Partitioning partitioning_;
+  std::string target_;
+};
+} // namespace
+
+std::unique_ptr<Command> partitionCommand() { return std::make_unique<Partition>(); }
 } // namespace asperity::geometry
