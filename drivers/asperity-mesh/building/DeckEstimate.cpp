@@ -20,16 +20,24 @@
 #include "scenario/setup/rock/RockSetup.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
 
+#include <Teuchos_DefaultSerialComm.hpp>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <ostream>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {
 namespace
 {
-constexpr double step_seconds = 2.7e-6; // of one core for an unknown, docs/cost/cost.md
+// CPU time of one coupled step for each unknown, a rough estimate: BP5, quasi-dynamic, with 291,054
+// unknowns takes 1.9 h for 9,287 steps on one core (docs/cost/cost.md). Other cores and problems
+// differ by a factor of two; `asperity-bench steps DECK` measures a deck on its mesh.
+constexpr double seconds_per_unknown = 1.9 * 3600 / (9287. * 291054);
 constexpr int components = 3;
 
 Samples samplesOf(std::vector<std::string> const& faults, Complex const& complex,
@@ -45,20 +53,18 @@ Samples samplesOf(std::vector<std::string> const& faults, Complex const& complex
   return samples;
 }
 
-// A body of one region, in a cell of which each place lies.
-Mesh<3> bodyOfOneRegion()
+// What fields of the deck are to know of a mesh that is not there: its regions, of which it has one.
+Mesh<3> regionsOfMesh()
 {
-  Mesh<3> body;
-  body.region_names = {"body"};
-  body.cell_regions = {0};
-  body.cells = {{0, 1, 2, 3}};
-  body.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  return body;
+  Mesh<3> mesh;
+  mesh.region_names = {"body"};
+  mesh.cell_regions = {0};
+  return mesh;
 }
 
-scenario::FieldNodes nodesAt(std::vector<std::array<double, 3>> const& places, Mesh<3> const& body)
+scenario::FieldNodes nodesAt(std::vector<std::array<double, 3>> const& places)
 {
-  scenario::FieldNodes nodes(body, {});
+  scenario::FieldNodes nodes(regionsOfMesh(), {});
   nodes.places = places;
   nodes.regions.assign(places.size(), 0);
   nodes.ids.assign(places.size(), 0);
@@ -81,64 +87,72 @@ void requireBoundaries(std::vector<scenario::BoundaryCondition> const& condition
   }
 }
 
-// Empty if friction weakens nowhere, or its laws do not say by how much.
-std::optional<dynamics::FaultResolution>
-resolutionOf(ParameterList const& deck, scenario::BulkSettings const& bulk,
-             scenario::FrictionSettings const& settings, Samples const& samples, bool is_y_up,
-             CellSize const& size, fem::OtherSide const& other_side)
+// Friction and normal stress at places of faults; empty if the laws do not say how friction weakens.
+std::optional<dynamics::FrictionOfNodes>
+frictionAt(std::vector<std::array<double, 3>> const& places, ParameterList const& friction,
+           scenario::FrictionSettings const& settings)
 {
-  const auto body = bodyOfOneRegion();
-  std::vector<std::array<double, 3>> places;
-  for (auto const& x : samples.places) {
-    places.push_back(is_y_up ? Point<3>{x[0], x[2], -x[1]} : x);
-  }
-  const auto nodes = nodesAt(places, body);
-  auto const& friction = deck.sublist("Friction");
+  const auto nodes = nodesAt(places);
   const auto sensitivity = scenario::sensitivities(settings.laws, friction, nodes);
   const auto drop = scenario::strengthDrops(settings.laws, friction, nodes);
   const auto slip_distance = scenario::slipDistances(settings.laws, friction, nodes);
   if ((!sensitivity && !drop) || !slip_distance) {
     return std::nullopt;
   }
-  const double factor = settings.normal_stress_factor;
-  const auto stress =
+  dynamics::FrictionOfNodes result;
+  result.L = *slip_distance;
+  result.sigma_n =
     scenario::NodalField(
       Field(friction, "Normal Stress", scenario::friction_path, nodes.region_names), nodes)
       .at(0);
-  const auto rock = scenario::elasticRockAt(bulk, deck.sublist("Bulk"), body,
-                                            std::vector<int>(places.size(), 0), places);
-  const bool weakens_at_high_rates = settings.laws.stateLaw().weakens_at_high_rates;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  dynamics::FaultResolution result{infinity, 0, infinity, infinity, infinity, infinity, 0};
-  double weakening_area = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const double sigma = factor * stress[i], L = (*slip_distance)[i];
-    const double a = drop ? 0 : (*sensitivity)[i].slip_rate, b = drop ? 0 : (*sensitivity)[i].state;
-    if (!(sigma > 0) || !(drop ? (*drop)[i] > 0 : b > a || weakens_at_high_rates)) {
-      continue;
-    }
-    const double modulus = dynamics::slipModulus(rock[i], components, other_side);
-    const double zone = drop ? dynamics::slipWeakeningZone(modulus, (*drop)[i], L, sigma)
-                             : dynamics::cohesiveZone(modulus, b, L, sigma);
-    const double nucleation = drop ? dynamics::slipWeakeningLength(modulus, (*drop)[i], L, sigma)
-                                   : dynamics::nucleationLength(modulus, a, b, L, sigma);
-    const double wavelength =
-      drop ? nucleation : dynamics::unstableWavelength(modulus, a, b, L, sigma);
-    // As of the facets of a mesh: the leg of a right triangle of the same area.
-    const double cell = std::sqrt(std::sqrt(0.75)) * size(samples.places[i]);
-    result.smallest_cell = std::min(result.smallest_cell, cell);
-    result.largest_cell = std::max(result.largest_cell, cell);
-    result.cohesive_zone = std::min(result.cohesive_zone, zone);
-    result.nucleation_length = std::min(result.nucleation_length, nucleation);
-    result.unstable_wavelength = std::min(result.unstable_wavelength, wavelength);
-    result.cells_per_zone = std::min(result.cells_per_zone, zone / cell);
-    weakening_area += samples.areas[i];
+  for (double& stress : result.sigma_n) {
+    stress *= settings.normal_stress_factor;
   }
-  if (!(weakening_area > 0)) {
+  if (drop) {
+    result.drop = *drop;
+    return result;
+  }
+  const bool weakens_at_high_rates = settings.laws.stateLaw().weakens_at_high_rates;
+  for (auto const& [a, b] : *sensitivity) {
+    // A law that weakens at high slip rates does so even if a and b alone strengthen. Its steady
+    // friction is not evaluated here: a = 0 stands for it, with which lengths are the smallest.
+    result.a.push_back(weakens_at_high_rates && a >= b ? 0 : a);
+    result.b.push_back(b);
+  }
+  return result;
+}
+
+// The cells that are to be made at places of faults. Facets are about equilateral triangles, whose
+// size is their side; CellSizes has the leg of a right triangle of the same area, leg^2 / 2.
+dynamics::FaultPlaces placesOf(Samples const& samples, CellSize const& size,
+                               fem::OtherSide const& other_side)
+{
+  dynamics::FaultPlaces places{3, other_side, {}, samples.areas};
+  for (auto const& place : samples.places) {
+    const double leg = std::sqrt(2 * facetArea(size(place)));
+    places.cells.push_back({leg, leg});
+  }
+  return places;
+}
+
+// Empty if friction weakens nowhere, or its laws do not say by how much.
+std::optional<dynamics::FaultResolution>
+resolutionOf(ParameterList const& deck, scenario::BulkSettings const& bulk,
+             scenario::FrictionSettings const& settings, Samples const& samples, bool is_y_up,
+             CellSize const& size, fem::OtherSide const& other_side)
+{
+  std::vector<std::array<double, 3>> places; // in the axes of the deck
+  for (auto const& x : samples.places) {
+    places.push_back(is_y_up ? Point<3>{x[0], x[2], -x[1]} : x);
+  }
+  const auto friction = frictionAt(places, deck.sublist("Friction"), settings);
+  if (!friction) {
     return std::nullopt;
   }
-  result.weakening_length = std::sqrt(weakening_area);
-  return result;
+  const auto rock = scenario::elasticRockAt(bulk, deck.sublist("Bulk"), regionsOfMesh(),
+                                            std::vector<int>(places.size(), 0), places);
+  return dynamics::faultResolution(placesOf(samples, size, other_side), components, rock, *friction,
+                                   Teuchos::SerialComm<int>());
 }
 
 // `where` begins messages, since the deck of the mesh has lists of the same names.
@@ -168,7 +182,7 @@ void reportSize(ParameterList const& deck, CellEstimate const& cells, std::ostre
   auto const [least, most] = tnnmg::MultigridCorrection::usual_bytes_per_unknown;
   out << "multigrid usually takes " << about(least * unknowns / 1e6) << " to "
       << about(most * unknowns / 1e6) << " MB, and a step of quasi-dynamic earthquakes about "
-      << about(step_seconds * unknowns) << " s of one core\n";
+      << about(seconds_per_unknown * unknowns) << " s of one core\n";
 }
 } // namespace
 

@@ -10,10 +10,8 @@ namespace asperity::geometry
 namespace
 {
 // Measured on meshes made here: the volume of a cell over size^3; cells for each vertex, and what a
-// vertex of the outer surface adds to their number. The area of a facet over size^2 is that of an
-// equilateral triangle.
+// vertex of the outer surface adds to their number.
 constexpr double cell_volume = 0.16, cells_per_vertex = 6.2, more_of_outer = 0.56;
-const double facet_area = std::sqrt(3.) / 4;
 
 double meanGround(Complex const& complex, Model const& model)
 {
@@ -86,6 +84,8 @@ double integrate(Point<3> const& low, Point<3> const& high, CellSize const& size
 }
 } // namespace
 
+double facetArea(double size) { return std::sqrt(3.) / 4 * size * size; }
+
 void addSamples(Samples& samples, Complex const& complex, Triangle const& triangle,
                 CellSize const& size)
 {
@@ -130,8 +130,7 @@ CellEstimate expectedCells(Complex const& complex, Model const& model, CellSize 
     addSamples(samples, complex, complex.triangles[i], size);
     auto& facets = model.isFault(complex.surfaces[i]) ? estimate.fault_facets : outer_facets;
     for (std::size_t k = 0; k < samples.places.size(); ++k) {
-      const double h = size(samples.places[k]);
-      facets += samples.areas[k] / (facet_area * h * h);
+      facets += samples.areas[k] / facetArea(size(samples.places[k]));
     }
   }
   estimate.vertices = estimate.cells / cells_per_vertex + more_of_outer * outer_facets / 2;

@@ -14,6 +14,9 @@ struct Samples
 void addSamples(Samples& samples, Complex const& complex, Triangle const& triangle,
                 CellSize const& size);
 
+// The area of a facet of cells of this size [m]: of an equilateral triangle with this side [m^2].
+double facetArea(double size);
+
 // Of a mesh before it is made.
 struct CellEstimate
 {

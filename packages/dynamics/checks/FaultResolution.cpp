@@ -13,13 +13,6 @@ namespace asperity::dynamics
 {
 namespace
 {
-struct CellSizes
-{
-  double smallest = std::numeric_limits<double>::max();
-  double largest = 0;
-  double height = 0; // largest height of a cell over the length of its facet
-};
-
 // (num_nodes) sizes of the facets that meet at each fault node, and of the cells beside them.
 template <int Dim>
 std::vector<CellSizes> cellSizes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
@@ -208,46 +201,45 @@ double seismicStep(FaultResolution const& resolution, bool has_mass)
   return has_mass ? std::min(of_slip, 0.1 * resolution.crossing_time) : of_slip;
 }
 
-template <int Dim>
-std::optional<FaultResolution>
-faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
-                std::vector<fem::Material> const& materials, FrictionOfNodes const& friction)
+std::optional<FaultResolution> faultResolution(FaultPlaces const& places, int components,
+                                               std::vector<fem::Material> const& materials,
+                                               FrictionOfNodes const& friction,
+                                               Communicator const& communicator)
 {
-  auto const sizes = cellSizes(mesh, surface);
   // Minima; values with the opposite sign give maxima.
   std::array<double, 10> mine;
   mine.fill(std::numeric_limits<double>::max());
   double weakening = 0;
   bool weakens_everywhere = true;
-  for (int i = 0; i < surface.numNodes(); ++i) {
-    const double modulus = slipModulus(materials[i], components, surface.otherSide());
-    auto const at_node = weakeningAt(i, friction, modulus);
-    if (!at_node) {
+  for (std::size_t i = 0; i < places.cells.size(); ++i) {
+    const double modulus = slipModulus(materials[i], components, places.other_side);
+    auto const here = weakeningAt(static_cast<int>(i), friction, modulus);
+    if (!here) {
       weakens_everywhere = false;
       continue;
     }
-    weakening += surface[i].weight;
+    weakening += places.weights[i];
+    auto const& cells = places.cells[i];
     const double distance = friction.L[i];
-    const std::array<double, 10> here = {
-      sizes[i].smallest,
-      -sizes[i].largest,
-      at_node->zone,
-      at_node->nucleation,
-      at_node->wavelength,
-      at_node->zone / sizes[i].largest,
-      -sizes[i].height,
+    const std::array<double, 10> values = {
+      cells.smallest,
+      -cells.largest,
+      here->zone,
+      here->nucleation,
+      here->wavelength,
+      here->zone / cells.largest,
+      -cells.height,
       distance,
-      distance / seismicRate(materials[i], surface.otherSide(), at_node->stress_drop),
-      crossingTime(materials[i], sizes[i].smallest)};
-    std::transform(here.begin(), here.end(), mine.begin(), mine.begin(),
+      distance / seismicRate(materials[i], places.other_side, here->stress_drop),
+      crossingTime(materials[i], cells.smallest)};
+    std::transform(values.begin(), values.end(), mine.begin(), mine.begin(),
                    [](double x, double y) { return std::min(x, y); });
   }
-  auto const all = minOverRanks(mine, *surface.communicator());
+  auto const all = minOverRanks(mine, communicator);
   if (all[1] > 0) {
     return std::nullopt;
   }
-  auto const& comm = *surface.communicator();
-  const double measure = sumOverRanks(weakening, comm);
+  const double measure = sumOverRanks(weakening, communicator);
   return FaultResolution{all[0],
                          -all[1],
                          all[2],
@@ -259,8 +251,20 @@ faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int com
                          all[7],
                          all[8],
                          all[9],
-                         Dim == 2 ? measure : std::sqrt(measure),
-                         minOverRanks(weakens_everywhere ? 1 : 0, comm) == 1};
+                         places.dimension == 2 ? measure : std::sqrt(measure),
+                         minOverRanks(weakens_everywhere ? 1 : 0, communicator) == 1};
+}
+
+template <int Dim>
+std::optional<FaultResolution>
+faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
+                std::vector<fem::Material> const& materials, FrictionOfNodes const& friction)
+{
+  FaultPlaces nodes{Dim, surface.otherSide(), cellSizes(mesh, surface), {}};
+  for (int i = 0; i < surface.numNodes(); ++i) {
+    nodes.weights.push_back(surface[i].weight);
+  }
+  return faultResolution(nodes, components, materials, friction, *surface.communicator());
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \

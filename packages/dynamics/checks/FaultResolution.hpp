@@ -3,6 +3,7 @@
 #include "fem/FaultSurface.hpp"
 #include "fem/bulk/Material.hpp"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -61,8 +62,17 @@ struct FrictionOfNodes
 std::vector<bool> canSlip(std::vector<double> const& strength, std::vector<double> const& driving,
                           std::vector<double> const& sigma_n, Communicator const& communicator);
 
-// (num_nodes) length of the larger facet beside each node [m]; in 3D the leg of a right triangle
-// of the same area.
+// The cells beside a node of a fault.
+struct CellSizes
+{
+  // Length of the smallest and largest facet [m]; in 3D the leg of a right triangle of the same
+  // area.
+  double smallest = std::numeric_limits<double>::max();
+  double largest = 0;
+  double height = 0; // largest height of a cell over the length of its facet; 0 if it is unknown
+};
+
+// (num_nodes) length of the larger facet beside each node [m], as CellSizes has it.
 template <int Dim>
 std::vector<double> largerCells(Mesh<Dim> const& mesh, fem::FaultSurface const& surface);
 
@@ -122,8 +132,24 @@ bool isTooShort(FaultResolution const& resolution, double needed);
 // with mass, at most a tenth of crossing_time.
 double seismicStep(FaultResolution const& resolution, bool has_mass);
 
-// Empty if friction weakens nowhere. materials(num_nodes): of the body beside the fault.
+// Places of a fault, which are the nodes of one that has a mesh; arrays have an entry for each
+// (num_places).
+struct FaultPlaces
+{
+  int dimension; // of space
+  fem::OtherSide other_side;
+  std::vector<CellSizes> cells;
+  std::vector<double> weights; // the measure of the fault's part for which each stands [m or m^2]
+};
+
+// Empty if friction weakens nowhere. materials(num_places): of the body beside the fault.
 // components: of the displacement. Collective.
+std::optional<FaultResolution> faultResolution(FaultPlaces const& places, int components,
+                                               std::vector<fem::Material> const& materials,
+                                               FrictionOfNodes const& friction,
+                                               Communicator const& communicator);
+
+// The same at the nodes of a fault with a mesh.
 template <int Dim>
 std::optional<FaultResolution>
 faultResolution(Mesh<Dim> const& mesh, fem::FaultSurface const& surface, int components,
