@@ -5,7 +5,10 @@
 #include "base/program/MpiScope.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 // Makes meshes, converts those of other programs, and partitions them. MPI is not started.
 int main(int argc, char** argv)

@@ -1,13 +1,22 @@
 #include "arrangement/Arranged.hpp"
 
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/Curves.hpp"
 #include "arrangement/complex/EdgeCollapse.hpp"
+#include "arrangement/exact/ExactArrangement.hpp"
 #include "arrangement/exact/Rounding.hpp"
 #include "arrangement/preparation/Snap.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,8 +1,14 @@
 #pragma once
 
 #include "arrangement/Body.hpp"
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
+
+#include "mesh/Mesh.hpp"
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,12 +1,18 @@
 #include "arrangement/Body.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/Patches.hpp"
+#include "surfaces/TriangleSurface.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <map>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -3,6 +3,9 @@
 #include "arrangement/complex/Box.hpp"
 #include "arrangement/exact/ExactArrangement.hpp"
 
+#include <string>
+#include <vector>
+
 namespace asperity::geometry
 {
 // A piece of a surface that is left out, and why.

@@ -6,6 +6,8 @@
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <tuple>

@@ -1,5 +1,7 @@
 #include "assembly/NodeSets.hpp"
 
+#include "assembly/CellShape.hpp"
+
 #include "base/Text.hpp"
 
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "base/Errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <tuple>
 #include <vector>

@@ -1,12 +1,15 @@
 #include "building/BuildMesh.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "meshing/CellEstimate.hpp"
 #include "meshing/EdgeDivision.hpp"
 #include "meshing/Features.hpp"
 #include "meshing/Relocation.hpp"
 #include "meshing/Volume.hpp"
+#include "surfaces/TriangleSurface.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace asperity::geometry
 {

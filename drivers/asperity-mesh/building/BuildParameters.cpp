@@ -1,12 +1,18 @@
 #include "building/BuildParameters.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/preparation/CheckedSurface.hpp"
+#include "surfaces/Projection.hpp"
+#include "surfaces/TriangleSurface.hpp"
 #include "surfaces/kinds/SurfaceKinds.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <map>
 
 namespace asperity::geometry
 {

@@ -1,12 +1,18 @@
 #include "building/BuildReport.hpp"
 
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/TriangleTree.hpp"
 #include "meshing/CellAngles.hpp"
+#include "surfaces/TriangleSurface.hpp"
 
 #include "base/Text.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <map>
 #include <set>
 
 namespace asperity::geometry

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "arrangement/Arranged.hpp"
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "meshing/CellEstimate.hpp"
+#include "surfaces/TriangleSurface.hpp"
 
 #include "mesh/GlobalMesh.hpp"
 

@@ -1,7 +1,10 @@
 #include "building/DeckEstimate.hpp"
 
 #include "Warnings.hpp"
+#include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "building/BuildReport.hpp"
+#include "meshing/CellSize.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "arrangement/complex/Complex.hpp"
 #include "building/BuildParameters.hpp"
 #include "meshing/CellEstimate.hpp"
+#include "meshing/CellSize.hpp"
 
 #include <iosfwd>
 

@@ -3,6 +3,7 @@
 #include "building/BuildParameters.hpp"
 #include "surfaces/kinds/SurfaceKinds.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "parameters/Deck.hpp"
 

@@ -3,6 +3,8 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
+#include "mesh/Mesh.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/faults/Faults.hpp"
 #include "mesh/generation/BoxMesh.hpp"
@@ -11,7 +13,11 @@
 #include "parameters/fields/Expression.hpp"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,20 +1,31 @@
 #include "TargetFolder.hpp"
 #include "Warnings.hpp"
+#include "arrangement/Arranged.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "building/BuildMesh.hpp"
+#include "building/BuildParameters.hpp"
 #include "building/BuildReport.hpp"
 #include "building/DeckEstimate.hpp"
 #include "building/ShortOptions.hpp"
 #include "commands/Commands.hpp"
 #include "commands/Meshes.hpp"
 #include "commands/Partitioning.hpp"
+#include "meshing/CellEstimate.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
+#include "mesh/Mesh.hpp"
 #include "mesh/TouchingFacets.hpp"
 #include "parameters/Deck.hpp"
 
 #include <chrono>
 #include <filesystem>
+#include <iostream>
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

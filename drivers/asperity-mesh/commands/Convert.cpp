@@ -1,18 +1,24 @@
 #include "FormatChoice.hpp"
 #include "TargetFolder.hpp"
 #include "Warnings.hpp"
+#include "assembly/GroupNames.hpp"
 #include "commands/Commands.hpp"
 #include "commands/Meshes.hpp"
 #include "formats/MeshFormat.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
 #include "mesh/TouchingFacets.hpp"
 
 #include <algorithm>
+#include <iostream>
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
 #include <variant>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -3,11 +3,17 @@
 
 #include "base/Text.hpp"
 #include "mesh/Crossings.hpp"
+#include "mesh/GlobalMesh.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/PointText.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,11 +1,14 @@
 #pragma once
 
+#include "mesh/GlobalMesh.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 #include "mesh/file/MeshFile.hpp"
 #include "mesh/file/PartitionedFile.hpp"
 
 #include <iostream>
 #include <optional>
+#include <string>
+#include <type_traits>
 
 namespace asperity::geometry
 {

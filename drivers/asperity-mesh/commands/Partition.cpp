@@ -4,6 +4,9 @@
 
 #include "base/Errors.hpp"
 
+#include <memory>
+#include <string>
+
 namespace asperity::geometry
 {
 namespace

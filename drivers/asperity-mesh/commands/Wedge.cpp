@@ -3,8 +3,15 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
 #include "mesh/generation/PeriodicMesh.hpp"
 #include "mesh/generation/WedgeMesh.hpp"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,3 +1,5 @@
+#include "assembly/CellShape.hpp"
+#include "assembly/ForeignMesh.hpp"
 #include "assembly/GroupNaming.hpp"
 #include "assembly/NodeSets.hpp"
 #include "formats/AbaqusDeck.hpp"
@@ -5,8 +7,14 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
 
 // Abaqus's input file: *NODE, *ELEMENT, sets *NSET and *ELSET, *SURFACE of sides S1, S2 ..., and
 // sections, whose sets of elements are regions.

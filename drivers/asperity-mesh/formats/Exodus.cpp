@@ -1,3 +1,4 @@
+#include "assembly/CellShape.hpp"
 #include "assembly/ForeignMesh.hpp"
 #include "assembly/GroupNaming.hpp"
 #include "assembly/NodeSets.hpp"
@@ -6,9 +7,11 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>

@@ -1,9 +1,11 @@
+#include "assembly/CellShape.hpp"
 #include "assembly/ForeignMesh.hpp"
 #include "assembly/GroupNaming.hpp"
 #include "formats/MeshFormat.hpp"
 
 #include "base/Errors.hpp"
 #include "hdf5/File.hpp"
+#include "mesh/GlobalMesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,19 @@
+#include "formats/MeshFormat.hpp"
 #include "formats/VtkGrid.hpp"
 #include "surfaces/files/BinaryFile.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "registry/Registry.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

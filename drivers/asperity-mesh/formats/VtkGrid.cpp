@@ -1,11 +1,14 @@
 #include "formats/VtkGrid.hpp"
 
 #include "Warnings.hpp"
+#include "assembly/CellShape.hpp"
+#include "assembly/ForeignMesh.hpp"
 #include "assembly/GroupNaming.hpp"
 
 #include "base/Errors.hpp"
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
+#include "mesh/GlobalMesh.hpp"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,9 @@
 #include "base/Text.hpp"
 
 #include <array>
+#include <cstdint>
 #include <iostream>
+#include <map>
 #include <set>
 
 namespace asperity::geometry

@@ -1,12 +1,18 @@
+#include "formats/MeshFormat.hpp"
 #include "formats/VtkGrid.hpp"
 #include "formats/VtkPieces.hpp"
 #include "formats/VtkXml.hpp"
 
 #include "base/Text.hpp"
+#include "registry/Registry.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 // Unstructured grids of VTK's XML format: .vtu, of one or several pieces, and .pvtu, which names
 // the files of the pieces.

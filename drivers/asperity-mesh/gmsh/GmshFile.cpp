@@ -1,6 +1,8 @@
 #include "gmsh/GmshFile.hpp"
 
 #include "Warnings.hpp"
+#include "assembly/CellShape.hpp"
+#include "assembly/GroupNames.hpp"
 #include "gmsh/GmshSession.hpp"
 
 #include "base/Errors.hpp"
@@ -8,11 +10,15 @@
 
 #include <gmsh.h>
 
+#include <cstdint>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "assembly/ForeignMesh.hpp"
+#include "assembly/GroupNames.hpp"
 #include "gmsh/GmshGroups.hpp"
 #include "gmsh/GmshSession.hpp"
 

@@ -1,6 +1,7 @@
 #include "gmsh/GmshGeometry.hpp"
 
 #include "Warnings.hpp"
+#include "assembly/GroupNames.hpp"
 #include "gmsh/GmshSession.hpp"
 
 #include "base/Errors.hpp"
@@ -10,6 +11,7 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "assembly/GroupNames.hpp"
 #include "gmsh/GmshGroups.hpp"
 
 #include <functional>

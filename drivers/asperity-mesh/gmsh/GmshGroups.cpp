@@ -8,6 +8,8 @@
 #include <gmsh.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace asperity::geometry
 {

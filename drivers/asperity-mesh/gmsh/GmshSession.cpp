@@ -4,6 +4,8 @@
 
 #include <gmsh.h>
 
+#include <exception>
+
 namespace asperity::geometry
 {
 GmshSession::GmshSession(bool is_loud, std::vector<std::string> const& arguments)

@@ -2,6 +2,10 @@
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace asperity::geometry
 {
 double smallestDihedral(std::array<Point<3>, 4> const& x)

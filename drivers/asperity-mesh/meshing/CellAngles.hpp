@@ -2,6 +2,8 @@
 
 #include "mesh/Mesh.hpp"
 
+#include <array>
+
 namespace asperity::geometry
 {
 // The smallest of the six angles between faces of a cell [degrees].

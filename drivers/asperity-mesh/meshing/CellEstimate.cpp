@@ -1,8 +1,12 @@
 #include "meshing/CellEstimate.hpp"
 
+#include "arrangement/complex/Complex.hpp"
+
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <queue>
 
 namespace asperity::geometry

@@ -1,7 +1,10 @@
 #pragma once
 
 #include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "meshing/CellSize.hpp"
+
+#include <vector>
 
 namespace asperity::geometry
 {

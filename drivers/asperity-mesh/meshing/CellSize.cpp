@@ -1,6 +1,11 @@
 #include "meshing/CellSize.hpp"
 
+#include "arrangement/complex/Complex.hpp"
+#include "surfaces/TriangleSurface.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace asperity::geometry

@@ -1,6 +1,9 @@
 #pragma once
 
 #include "arrangement/complex/TriangleTree.hpp"
+#include "surfaces/TriangleSurface.hpp"
+
+#include "mesh/Mesh.hpp"
 
 #include <functional>
 #include <memory>

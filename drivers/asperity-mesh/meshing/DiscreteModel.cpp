@@ -1,5 +1,6 @@
 #include "meshing/DiscreteModel.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "gmsh/GmshSession.hpp"
 
 #include "base/Errors.hpp"
@@ -7,6 +8,7 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <numeric>
 #include <set>
 

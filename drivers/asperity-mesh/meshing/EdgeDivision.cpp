@@ -5,8 +5,14 @@
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,11 +1,18 @@
 #include "meshing/Features.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/Curves.hpp"
 #include "arrangement/complex/Patches.hpp"
+#include "arrangement/complex/TriangleTree.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

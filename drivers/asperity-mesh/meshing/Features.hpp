@@ -1,7 +1,11 @@
 #pragma once
 
 #include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "meshing/CellSize.hpp"
+
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

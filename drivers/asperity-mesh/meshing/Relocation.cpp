@@ -1,13 +1,20 @@
 #include "meshing/Relocation.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/Curves.hpp"
 #include "arrangement/complex/TriangleTree.hpp"
 #include "meshing/CellAngles.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <map>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,5 +1,6 @@
 #include "meshing/Volume.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "gmsh/GmshSession.hpp"
 #include "meshing/DiscreteModel.hpp"
 #include "meshing/MeshInGmsh.hpp"
@@ -10,7 +11,9 @@
 
 #include <gmsh.h>
 
+#include <algorithm>
 #include <chrono>
+#include <vector>
 
 namespace asperity::geometry
 {

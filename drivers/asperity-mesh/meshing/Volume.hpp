@@ -1,6 +1,7 @@
 #pragma once
 
 #include "arrangement/complex/Box.hpp"
+#include "arrangement/complex/Complex.hpp"
 #include "meshing/CellSize.hpp"
 
 #include "mesh/GlobalMesh.hpp"

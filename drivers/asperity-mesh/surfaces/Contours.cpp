@@ -6,6 +6,7 @@
 #include "base/Text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 

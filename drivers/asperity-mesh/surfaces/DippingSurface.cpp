@@ -4,6 +4,7 @@
 #include "base/Text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace asperity::geometry

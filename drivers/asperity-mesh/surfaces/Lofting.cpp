@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::geometry

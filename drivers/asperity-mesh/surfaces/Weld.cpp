@@ -4,10 +4,12 @@
 #include "base/Text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -1,5 +1,11 @@
 #include "arrangement/complex/Box.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace asperity::geometry
 {
 namespace

@@ -2,6 +2,9 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <string>
+#include <vector>
+
 namespace asperity::geometry
 {
 // The body: between four walls, the bottom and the ground.

@@ -4,6 +4,7 @@
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace asperity::geometry

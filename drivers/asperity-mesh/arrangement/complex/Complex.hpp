@@ -5,6 +5,7 @@
 #include "mesh/Mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <utility>

@@ -2,7 +2,13 @@
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

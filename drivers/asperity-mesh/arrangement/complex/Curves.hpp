@@ -2,6 +2,8 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <vector>
+
 namespace asperity::geometry
 {
 constexpr double sharp_turn = 0.5; // cosine of the turn of a curve that makes a corner

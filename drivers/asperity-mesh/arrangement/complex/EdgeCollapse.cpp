@@ -1,10 +1,16 @@
 #include "arrangement/complex/EdgeCollapse.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/Curves.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
 #include <set>
+#include <vector>
 
 namespace asperity::geometry
 {

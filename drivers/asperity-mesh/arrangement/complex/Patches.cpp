@@ -1,5 +1,8 @@
 #include "arrangement/complex/Patches.hpp"
 
+#include <cstddef>
+#include <vector>
+
 namespace asperity::geometry
 {
 namespace

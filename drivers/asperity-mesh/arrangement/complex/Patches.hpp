@@ -2,6 +2,8 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <vector>
+
 namespace asperity::geometry
 {
 // A connected part of one surface between lines where it meets others or ends.

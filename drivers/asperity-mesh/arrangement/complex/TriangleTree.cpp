@@ -2,7 +2,11 @@
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
+#include <vector>
 
 namespace asperity::geometry
 {

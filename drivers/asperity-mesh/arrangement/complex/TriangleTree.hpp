@@ -2,8 +2,10 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <array>
 #include <functional>
 #include <limits>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -8,7 +8,14 @@
 #include <CGAL/intersections.h>
 #include <CGAL/version.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
 
 #if CGAL_VERSION_NR >= 1060000000
 #include <variant>

@@ -2,6 +2,8 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <vector>
+
 namespace asperity::geometry
 {
 struct Arrangement

@@ -2,8 +2,11 @@
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <set>
+#include <vector>
 
 namespace asperity::geometry
 {

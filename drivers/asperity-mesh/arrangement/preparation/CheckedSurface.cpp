@@ -5,8 +5,15 @@
 #include "base/Errors.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <set>
+#include <string>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

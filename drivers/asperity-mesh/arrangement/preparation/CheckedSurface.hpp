@@ -2,6 +2,9 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <string>
+#include <vector>
+
 namespace asperity::geometry
 {
 // A surface that can be arranged with others: points that are equal up to 1e-9 of its extent are

@@ -1,8 +1,14 @@
 #include "arrangement/preparation/Snap.hpp"
 
+#include "arrangement/complex/Complex.hpp"
 #include "arrangement/complex/TriangleTree.hpp"
+#include "surfaces/TriangleSurface.hpp"
 
 #include "mesh/SimplexGeometry.hpp"
+
+#include <cmath>
+#include <map>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -2,6 +2,8 @@
 
 #include "arrangement/complex/Box.hpp"
 
+#include <vector>
+
 namespace asperity::geometry
 {
 // Moves the border of faults that ends nearer than `snap` [m] to another surface across that

@@ -5,6 +5,12 @@
 #include "base/DisjointSets.hpp"
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
 namespace asperity::geometry
 {
 namespace

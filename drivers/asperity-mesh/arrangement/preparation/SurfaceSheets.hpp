@@ -2,6 +2,8 @@
 
 #include "arrangement/complex/Complex.hpp"
 
+#include <vector>
+
 namespace asperity::geometry
 {
 // The sheets of a surface that branches, largest first: where more than two of its parts meet at a

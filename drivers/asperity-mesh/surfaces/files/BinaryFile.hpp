@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <type_traits>
 
 namespace asperity::geometry
 {

@@ -4,7 +4,13 @@
 #include "base/Errors.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <unordered_map>
+#include <vector>
 
 // GOCAD TSurf: objects from "GOCAD TSurf" to "END", each with a header, a coordinate system, and
 // patches (TFACE) of vertices and triangles. Numbers of vertices are those of the whole object.

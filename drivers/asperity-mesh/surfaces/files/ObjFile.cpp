@@ -1,7 +1,12 @@
 #include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
+#include <array>
 #include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 // Wavefront OBJ: "v x y z", "f a b c" or "f a/t/n ...", numbered from 1, or back from the last
 // vertex by negative numbers; "o NAME" and "g NAME" begin a part.

@@ -1,6 +1,11 @@
 #include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 // OFF: "OFF", counts of vertices, faces and edges, then lines "x y z ..." and "n v1 ... vn ...".
 namespace asperity::geometry
 {

@@ -3,9 +3,14 @@
 #include "surfaces/files/TextFile.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 // PLY: a header that declares elements and their properties, then the elements, as text or in
 // binary of either byte order. Elements other than `vertex` and `face` are skipped.

@@ -2,7 +2,14 @@
 #include "surfaces/files/SurfaceFormat.hpp"
 #include "surfaces/files/TextFile.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
 
 // STL has three points for each triangle, as text or in binary, which is little-endian.
 namespace asperity::geometry

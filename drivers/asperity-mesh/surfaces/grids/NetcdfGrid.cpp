@@ -5,8 +5,14 @@
 #include "base/Text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <string>
+#include <vector>
 
 // Grids by the CF conventions: what an axis is, is told by its units or its standard name, then by
 // its attribute `axis`, then by its name.

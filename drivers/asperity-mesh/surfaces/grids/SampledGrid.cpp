@@ -1,10 +1,17 @@
 #include "surfaces/grids/SampledGrid.hpp"
 
+#include "surfaces/Lofting.hpp"
+#include "surfaces/TriangleSurface.hpp"
+#include "surfaces/kinds/SurfaceKinds.hpp"
+
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace asperity::geometry
 {

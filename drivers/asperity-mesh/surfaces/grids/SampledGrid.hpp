@@ -1,6 +1,8 @@
 #pragma once
 
+#include "surfaces/TriangleSurface.hpp"
 #include "surfaces/grids/Grid.hpp"
+#include "surfaces/kinds/SurfaceKinds.hpp"
 #include "surfaces/kinds/Units.hpp"
 
 namespace asperity::geometry

@@ -4,8 +4,13 @@
 #include "base/Errors.hpp"
 
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <regex>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -3,6 +3,8 @@
 #include "surfaces/kinds/Units.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

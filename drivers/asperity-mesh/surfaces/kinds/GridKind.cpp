@@ -6,7 +6,11 @@
 #include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/Units.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
+
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

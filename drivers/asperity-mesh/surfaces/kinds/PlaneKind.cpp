@@ -1,10 +1,14 @@
 #include "surfaces/DippingSurface.hpp"
+#include "surfaces/Lofting.hpp"
 #include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/Units.hpp"
 
+#include "base/Errors.hpp"
 #include "parameters/Entries.hpp"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

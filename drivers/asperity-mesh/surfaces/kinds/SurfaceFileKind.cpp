@@ -4,6 +4,9 @@
 #include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/Units.hpp"
 
+#include <string>
+#include <vector>
+
 namespace asperity::geometry
 {
 namespace

@@ -2,6 +2,7 @@
 
 #include "surfaces/kinds/SurfaceKind.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 
 #include <algorithm>

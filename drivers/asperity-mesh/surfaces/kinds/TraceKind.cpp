@@ -1,11 +1,15 @@
 #include "surfaces/DippingSurface.hpp"
+#include "surfaces/Lofting.hpp"
 #include "surfaces/TraceFile.hpp"
 #include "surfaces/kinds/SurfaceKind.hpp"
 #include "surfaces/kinds/Units.hpp"
 
+#include "base/Errors.hpp"
 #include "parameters/fields/Field.hpp"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace asperity::geometry
 {

@@ -2,6 +2,8 @@
 
 #include "base/Errors.hpp"
 
+#include <algorithm>
+
 namespace asperity::geometry
 {
 namespace

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "surfaces/Lofting.hpp"
+#include "surfaces/Projection.hpp"
 #include "surfaces/kinds/SurfaceKinds.hpp"
 
 #include "parameters/Parameters.hpp"
 
+#include <array>
 #include <string>
 
 namespace asperity::geometry

@@ -1,10 +1,16 @@
 #include "surfaces/netcdf/NetcdfFile.hpp"
+#include "surfaces/netcdf/UntrustedWork.hpp"
 
 #include "base/Errors.hpp"
 #include "hdf5/File.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 // netCDF-4 is HDF5: variables are datasets of the root group, and the coordinates of dimensions are
 // datasets that call themselves dimension scales.
@@ -32,6 +38,16 @@ NetcdfAttribute readAttribute(h5::Dataset const& dataset, std::string const& nam
   return attribute;
 }
 
+// HDF5 itself crashes on some damaged files: until 1.10.8 it does not check the reference of a text
+// of variable length, for example (H5HG_read). `where` begins the message.
+void requireNoCrash(std::string const& where, std::function<void()> const& read)
+{
+  ASPERITY_REQUIRE(
+    endsInATrial(read),
+    where << " cannot be read: it is damaged in a way that makes HDF5 crash. Copy the "
+             "file again from its source, or write it once more.");
+}
+
 class Netcdf4 : public NetcdfFile
 {
 public:
@@ -39,6 +55,8 @@ public:
       : NetcdfFile(what + " '" + file_name + "'")
       , file_(readable([&] { return h5::File::open(file_name); }))
   {
+    constexpr std::uint64_t plenty = std::uint64_t(256) << 20; // bytes, for names and attributes
+    const MemoryLimit limit(plenty); // the length of a text may be damaged
     for (auto const& name : readable([&] { return file_.names(); })) {
       try {
         addVariable(name, file_.openDataset(name));
@@ -52,24 +70,16 @@ public:
 
   std::vector<double> numbers(std::string const& name) const override
   {
-    auto const& wanted = variable(name);
-    ASPERITY_REQUIRE(!wanted.is_text, where_ << ": variable '" << name << "' has no numbers.");
-    try {
-      return file_.openDataset(name).read<double>();
-    } catch (h5::Error const& error) {
-      throw InputError(where_ + ": variable '" + name + "' cannot be read. " + error.what());
-    }
+    ASPERITY_REQUIRE(!variable(name).is_text,
+                     where_ << ": variable '" << name << "' has no numbers.");
+    return valuesOf(name, [&] { return file_.openDataset(name).read<double>(); });
   }
 
   std::vector<std::string> texts(std::string const& name) const override
   {
     auto const& wanted = variable(name);
     ASPERITY_REQUIRE(wanted.is_text, where_ << ": variable '" << name << "' has no characters.");
-    try {
-      return rows(file_.openDataset(name).readTexts(), wanted.shape);
-    } catch (h5::Error const& error) {
-      throw InputError(where_ + ": variable '" + name + "' cannot be read. " + error.what());
-    }
+    return valuesOf(name, [&] { return rows(file_.openDataset(name).readTexts(), wanted.shape); });
   }
 
 private:
@@ -90,6 +100,19 @@ private:
       text.erase(text.find_last_not_of(" \n\t") + 1);
     }
     return result;
+  }
+
+  // Values are read twice, first in a trial: damage of their layout, too, can make HDF5 crash.
+  template <class Call>
+  std::invoke_result_t<Call> valuesOf(std::string const& name, Call const& read) const
+  {
+    const std::string where = where_ + ": variable '" + name + "'";
+    requireNoCrash(where, read);
+    try {
+      return read();
+    } catch (h5::Error const& error) {
+      throw InputError(where + " cannot be read. " + error.what());
+    }
   }
 
   template <class Call>
@@ -156,6 +179,7 @@ private:
 
 std::unique_ptr<NetcdfFile> openNetcdf4(std::string const& file_name, std::string const& what)
 {
+  requireNoCrash(what + " '" + file_name + "'", [&] { const Netcdf4 trial(file_name, what); });
   return std::make_unique<Netcdf4>(file_name, what);
 }
 } // namespace asperity::geometry

@@ -3,6 +3,8 @@
 #include "base/Errors.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace asperity::geometry
 {

@@ -3,6 +3,7 @@
 #include "surfaces/files/BinaryFile.hpp"
 #include "surfaces/netcdf/NetcdfFile.hpp"
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

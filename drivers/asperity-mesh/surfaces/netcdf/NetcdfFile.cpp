@@ -7,6 +7,7 @@
 #include "base/NearestName.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace asperity::geometry
 {
