@@ -4,7 +4,7 @@
 
 namespace asperity::geometry
 {
-// InputError if the folder of a file that is to be made is not there or cannot be written to: to be
-// asked before the work that leads to the file.
+// InputError if the folder of a file that is to be made does not exist or cannot be written to.
+// Call it before the work that leads to the file.
 void requireFolder(std::string const& file_name);
 } // namespace asperity::geometry

@@ -10,7 +10,7 @@
 
 namespace asperity::geometry
 {
-// A new folder beside a file that is to be made, which goes with this object.
+// A new folder beside a file that is to be made. The destructor removes it.
 class TemporaryFolder
 {
 public:

@@ -8,6 +8,6 @@ namespace asperity::geometry
 // Prints "asperity-mesh: WARNING: text" on standard error.
 void warn(std::string const& text);
 
-// Takes full sentences on what was changed or left out while a file was read.
+// Gets full sentences about changes and omissions when a file is read.
 using RemarkSink = std::function<void(std::string const&)>;
 } // namespace asperity::geometry

@@ -21,25 +21,25 @@ struct ArrangementOptions
 
 struct Arranged
 {
-  Complex complex; // what bounds the body and its faults, ready to be meshed
+  Complex complex; // the boundary of the body and its faults
   std::vector<Dropped> dropped;
   int num_pushed = 0;     // points of borders
-  int num_contracted = 0; // corners that became one with another
+  int num_contracted = 0; // corners that were moved onto others
 };
 
-// The size of cells [m] at a place, once the faults are known as far as they are in the body.
+// Gives the size of cells [m] as a function of the place, from the parts of faults in the body.
 using SizeFromFaults =
   std::function<std::function<double(Point<3> const&)>(Complex const& complex)>;
 
-// From surfaces, as checkedSurface makes them, to what bounds the body and its faults. InputError
-// as of arrange and keepBody.
+// Cuts surfaces, as checkedSurface makes them, along their intersections, and keeps the boundary of
+// the body and its faults. InputError as of arrange and keepBody.
 Arranged arrangeModel(Model model, ArrangementOptions const& options, SizeFromFaults const& sizes);
 
 // A curve at which two faults meet.
 struct Junction
 {
   std::string first, second;
-  bool is_crossing = false; // both go on; else the second ends at the first, or both end
+  bool is_crossing = false; // both continue beyond it; else the second one, or both, end there
   double length = 0;        // [m], of all such curves
   Point<3> from{}, to{};    // the ends of one of them
 };

@@ -29,7 +29,7 @@ double groundAt(TriangleSurface const& ground, double x, double y)
     const auto v = mesh::difference<3>(ground.points[triangle[2]], a);
     const double determinant = u[0] * v[1] - u[1] * v[0];
     if (determinant == 0) {
-      continue; // upright
+      continue; // a vertical triangle
     }
     const double s = ((x - a[0]) * v[1] - (y - a[1]) * v[0]) / determinant;
     const double t = (u[0] * (y - a[1]) - u[1] * (x - a[0])) / determinant;
@@ -162,7 +162,7 @@ void requireFaults(Complex const& complex, Model const& model)
   }
 }
 
-// Every edge of the outer surface has two of its triangles.
+// The outer surface is closed if each of its edges has two of its triangles.
 void requireClosed(Complex const& complex, Model const& model)
 {
   for (auto const& [edge, triangles] : trianglesAtEdges(complex.triangles)) {
@@ -202,7 +202,7 @@ std::vector<Dropped> keepBody(Arrangement& arrangement, Model const& model,
   outside.dropOutside();
   outside.dropPushed(arrangement.points_of, is_moved);
   keepTriangles(arrangement.complex, outside.keptTriangles());
-  Selection stubs(arrangement, model); // patches are larger where what cut them is gone
+  Selection stubs(arrangement, model); // finds patches anew, without the removed pieces
   stubs.dropStubs(stub_share);
   keepTriangles(arrangement.complex, stubs.keptTriangles());
   requireFaults(arrangement.complex, model);

@@ -8,7 +8,7 @@
 
 namespace asperity::geometry
 {
-// A piece of a surface that is left out, and why.
+// A piece of a surface that is removed, and the reason.
 struct Dropped
 {
   enum class Reason
@@ -24,9 +24,10 @@ struct Dropped
   Point<3> place;
 };
 
-// Keeps what is in the body or bounds it: patches inside the box and, but for the ground itself,
-// below the ground; without those of faults whose given points were all moved (pushBorders), and
-// without stubs, which have a free border and less than `stub_share` of the fault's area.
+// Keeps the patches that lie in the body or bound it, which are those inside the box and on or
+// below the ground. Of faults it removes the patches whose given points were all moved
+// (pushBorders), and stubs: patches that have a free border and less than `stub_share` of the
+// fault's area.
 //
 // InputError if nothing is left of a fault, or ground and walls do not enclose the body.
 std::vector<Dropped> keepBody(Arrangement& arrangement, Model const& model,

@@ -17,7 +17,7 @@ namespace asperity::geometry
 struct AssemblyOptions
 {
   double scale = 1;              // of coordinates
-  bool simplices = false;        // cut cells that are none, and drop nodes of second order
+  bool simplices = false;        // cut other cells into simplices; drop nodes of second order
   std::set<std::string> without; // boundaries and faults to be left out
 };
 

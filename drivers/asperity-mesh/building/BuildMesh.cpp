@@ -15,7 +15,7 @@ namespace asperity::geometry
 {
 namespace
 {
-// By the parts of faults that are inside the body.
+// The size of cells from the parts of faults inside the body.
 std::shared_ptr<CellSize> cellSize(Complex const& complex, BuildSettings const& settings)
 {
   auto size = std::make_shared<CellSize>(settings.growth, settings.largest);

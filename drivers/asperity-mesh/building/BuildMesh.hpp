@@ -16,7 +16,8 @@ Arranged arrangeSurfaces(BuildSettings const& settings);
 // The size of cells in the body: at faults, and where curves come near to each other.
 CellSize sizeOfCells(Arranged const& arranged, BuildSettings const& settings);
 
-// The mesh before it is split along its faults, valid but for that. InputError as of fillVolume.
+// The mesh before it is split along its faults, which mesh::checkMesh accepts. InputError as of
+// fillVolume.
 GlobalMesh<3> meshArranged(Arranged const& arranged, BuildSettings const& settings,
                            CellSize const& size,
                            std::function<void(std::string const&)> const& reportProgress);

@@ -61,7 +61,7 @@ Lists boxParameters()
     .list();
 }
 
-// A deck without ground has a flat one.
+// Without a list Ground, the ground is flat.
 Lists parametersWith(bool has_ground)
 {
   Declare declare;
@@ -256,7 +256,7 @@ double highest(TriangleSurface const& surface)
   return height;
 }
 
-// At the points of the faults, which also shows formulas that have no value there.
+// The smallest size at points of faults. InputError for a formula that has no value at one of them.
 double smallestSize(BuildSettings const& settings)
 {
   double smallest = settings.largest;
@@ -300,8 +300,8 @@ BuildSettings readBuildSettings(ParameterList& list, std::string const& folder)
       makeSurface(list.sublist("Ground"), std::string(root) + " / Ground", context), "The ground");
     context.area.reset();
     context.highest_ground = highest(ground);
-    context.remark = [](std::string const&) {}; // what is known
-    given = faultsFrom(faults, context);        // those that go up to the ground
+    context.remark = [](std::string const&) {}; // remarks are printed at the first reading
+    given = faultsFrom(faults, context);        // once more, since some extend up to the ground
   }
   auto surfaces = surfacesOf(given);
   const auto names = namesFrom(list.sublist("Box"), surfaces);

@@ -57,7 +57,7 @@ void reportDropped(Arranged const& arranged, std::ostream& out)
   std::map<std::pair<std::string, int>, Sum> sums;
   for (auto const& piece : arranged.dropped) {
     if (!piece.is_fault) {
-      continue; // ground and walls are made too large
+      continue; // ground and walls extend beyond the body by construction
     }
     auto& sum = sums[{piece.surface, static_cast<int>(piece.reason)}];
     ++sum.number;

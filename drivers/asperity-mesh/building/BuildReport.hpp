@@ -40,16 +40,17 @@ struct CellAngle
 };
 std::vector<CellAngle> smallestAngles(GlobalMesh<3> const& mesh, std::size_t number);
 
-// What the arrangement has: faults, what was left out and why, where faults meet, the smallest
-// angle and the shortest curve.
+// Reports the arrangement: faults, removed pieces with the reasons, junctions of faults, the
+// smallest angle and the shortest curve.
 void report(Arranged const& arranged, Model const& model, std::ostream& out);
 
-// An estimate: two digits, without an exponent below a million.
+// The text of an estimate: two digits, without an exponent below a million.
 std::string about(double value);
 
-// What the mesh is to have.
+// Reports the expected numbers of cells and vertices.
 void report(CellEstimate const& expected, std::ostream& out);
 
-// What the mesh has, before or after the split.
+// Reports the facets of faults, and the cells with the smallest angles; the mesh may be split or
+// not.
 void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out);
 } // namespace asperity::geometry

@@ -56,7 +56,7 @@ Samples samplesOf(std::vector<std::string> const& faults, Complex const& complex
   return samples;
 }
 
-// What fields of the deck are to know of a mesh that is not there: its regions, of which it has one.
+// The regions of the mesh, which is not made yet, for fields of the deck that depend on regions.
 Mesh<3> regionsOfMesh()
 {
   Mesh<3> mesh;
@@ -90,7 +90,8 @@ void requireBoundaries(std::vector<scenario::BoundaryCondition> const& condition
   }
 }
 
-// Friction and normal stress at places of faults; empty if the laws do not say how friction weakens.
+// Friction and normal stress at places of faults; empty if the laws do not say how friction
+// weakens.
 std::optional<dynamics::FrictionOfNodes>
 frictionAt(std::vector<std::array<double, 3>> const& places, ParameterList const& friction,
            scenario::FrictionSettings const& settings)

@@ -9,9 +9,9 @@
 
 namespace asperity::geometry
 {
-// What the deck of the settings, with its overlays, is to expect of the mesh: unknowns, memory and
-// the time of a step, and how the size of cells compares with the cohesive zone, by the formulas
-// that `asperity` uses. Friction is evaluated on the faults as they are in the body. Warnings go to
+// Reports what a run of the deck of the settings, with its overlays, needs on this mesh: unknowns,
+// memory, the time of a step, and how the size of cells compares with the cohesive zone, by the
+// formulas of `asperity`. Friction is evaluated on the parts of faults in the body. Warnings go to
 // stderr.
 //
 // InputError if the deck is wrong, or names a boundary that the mesh will not have.

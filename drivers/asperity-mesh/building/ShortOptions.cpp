@@ -99,7 +99,7 @@ private:
   std::vector<std::pair<std::string, std::string>> entries_;
 };
 
-// Puts a text where it is to stand; numbers become numbers. The check of all entries follows later.
+// Sets an entry of the deck, as a number if the text is one. All entries are validated later.
 void assign(ParameterList& deck, std::string const& assignment)
 {
   const auto equals = assignment.find('=');
@@ -149,7 +149,7 @@ void applyOptions(ShortOptions const& options, ParameterList& deck,
       assign(deck, path + "=" + withoutUnit(value));
     }
   }
-  if (!options.deck.empty()) { // relative to where the program runs, as no file of the deck is
+  if (!options.deck.empty()) { // files of options are relative to the working directory
     deck.set("Deck", std::filesystem::absolute(options.deck).string());
   }
   for (auto const& assignment : options.assignments) {

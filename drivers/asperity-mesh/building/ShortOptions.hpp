@@ -22,7 +22,7 @@ struct ShortOptions
 // Adds to a deck, or replaces in it, what the options say. A key is the name of a parameter in
 // small letters with - for blanks; a length may have its unit, as 500m or 20km. folder: that of the
 // deck, to which its files are relative; files of options are relative to where the program runs.
-// InputError for what has not the form.
+// InputError for options of another form.
 void applyOptions(ShortOptions const& options, ParameterList& deck,
                   std::filesystem::path const& folder);
 } // namespace asperity::geometry

@@ -73,7 +73,7 @@ std::function<double(Point<Dim> const&)> formula(std::string const& text, std::s
   };
 }
 
-// Bisected to a cell size as that of `Mesh / Cell Size` of a deck.
+// The mesh bisected until cells have this size, a formula as that of `Mesh / Cell Size` in a deck.
 template <int Dim>
 GlobalMesh<Dim> graded(GlobalMesh<Dim> const& mesh, Point<Dim> const& brick,
                        std::string const& cell_size)
@@ -101,7 +101,7 @@ mesh::NamedCondition<Dim> faultFrom(std::string const& setting)
   return {name, [condition](Point<Dim> const& x) { return condition(x) != 0; }};
 }
 
-// Adds faults. They are not split in the file, but tried here.
+// Adds faults. The file has them unsplit; a copy of the mesh is split to find errors.
 template <int Dim>
 void addFaults(GlobalMesh<Dim>& mesh, std::vector<std::string> const& settings)
 {

@@ -93,7 +93,7 @@ void requireTolerance(GlobalMesh<3> const& mesh, BuildSettings const& settings)
   }
 }
 
-// As it will be when the mesh is read, so that nothing is written that cannot be used.
+// The mesh split along its faults. A mesh that cannot be split is refused before it is written.
 GlobalMesh<3> splitMesh(GlobalMesh<3> const& mesh, std::vector<Junction> const& junctions)
 {
   auto split = mesh;

@@ -45,7 +45,7 @@ void writeConverted(GlobalMesh<Dim> const& mesh, std::string const& where,
   if (const auto touching = mesh::touchingFacets(mesh)) {
     warn(where + ": " + mesh::sentence(*touching));
   }
-  auto split = mesh; // to find faults that cannot be split here, and not when the mesh is used
+  auto split = mesh; // refuses faults that cannot be split before the mesh is written
   mesh::splitFaults(split, where);
   const std::size_t regions = mesh.region_names.size(), faults = split.faults.size();
   writeAndReport(mesh, file_name,
@@ -55,7 +55,7 @@ void writeConverted(GlobalMesh<Dim> const& mesh, std::string const& where,
   std::cout << extents(mesh) << '\n';
 }
 
-// To metres.
+// The factor from coordinates of the file to metres.
 double factor(std::string const& units, std::optional<double> const& scale)
 {
   ASPERITY_REQUIRE(!scale || *scale > 0,

@@ -48,7 +48,7 @@ void printSizes(GlobalMesh<Dim> const& mesh)
 {
   const auto sizes = mesh::cellSizes(mesh);
   std::cout << "dimension        " << Dim << "\nvertices         " << mesh.vertices.size();
-  if (!mesh.splits.empty()) { // made when the mesh is read; the file has them if it is partitioned
+  if (!mesh.splits.empty()) { // withMesh splits faults, unless the file has them split
     std::cout << ", " << mesh.splits.size() << " of them copies at faults";
   }
   std::cout << "\ncells            " << mesh.cells.size() << "\nbounding box     "

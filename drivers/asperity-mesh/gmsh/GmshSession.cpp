@@ -34,7 +34,7 @@ std::string errorOfGmsh(std::function<void()> const& call)
   try {
     call();
   } catch (InputError const&) {
-    throw; // ours, from a function that Gmsh calls
+    throw; // an error of this program, from a function that Gmsh calls
   } catch (std::string const& reason) {
     return reason;
   } catch (std::exception const& error) {

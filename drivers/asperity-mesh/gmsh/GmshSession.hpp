@@ -6,9 +6,9 @@
 
 namespace asperity::geometry
 {
-// Gmsh's library between its start and its end, with its own defaults and no file of the user's
-// options. Only one object may exist at a time, because the library has global data; what one
-// object sets, the next does not see.
+// Starts Gmsh's library, with its defaults and without the user's option files, and ends it. Only
+// one object may exist at a time, because the library has global data. Options do not pass from one
+// object to the next.
 class GmshSession
 {
 public:

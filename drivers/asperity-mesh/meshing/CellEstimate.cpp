@@ -13,8 +13,8 @@ namespace asperity::geometry
 {
 namespace
 {
-// Measured on meshes made here: the volume of a cell over size^3; cells for each vertex, and what a
-// vertex of the outer surface adds to their number.
+// Measured on meshes of this program: the volume of a cell over size^3; the number of cells per
+// vertex; and the vertices that each vertex of the outer surface adds to that estimate.
 constexpr double cell_volume = 0.16, cells_per_vertex = 6.2, more_of_outer = 0.56;
 
 double meanGround(Complex const& complex, Model const& model)
@@ -34,7 +34,7 @@ struct Brick
 {
   Point<3> low, sides;
   double value; // volume / size^3, of the size in the middle
-  double error; // of that, at most about
+  double error; // about the largest error of value
 
   bool operator<(Brick const& other) const { return error < other.error; }
 };

@@ -8,7 +8,7 @@
 
 namespace asperity::geometry
 {
-// Points of surfaces, a few cells apart.
+// Sample points of surfaces, about three cells apart.
 struct Samples
 {
   std::vector<Point<3>> places;
@@ -20,7 +20,7 @@ void addSamples(Samples& samples, Complex const& complex, Triangle const& triang
 // The area of a facet of cells of this size [m]: of an equilateral triangle with this side [m^2].
 double facetArea(double size);
 
-// Of a mesh before it is made.
+// Expected numbers of a mesh that is not made yet.
 struct CellEstimate
 {
   double cells = 0, vertices = 0;

@@ -45,7 +45,8 @@ constexpr double smallest_number = std::numeric_limits<double>::min(); // a dist
 double CellSize::operator()(Point<3> const& place) const
 {
   double size = largest_;
-  const auto within = [&](double smallest) { // farther away, nothing is smaller than `size`
+  // The distance beyond which a limit of this size cannot make the size smaller.
+  const auto within = [&](double smallest) {
     return growth_ > 0 ? (size - smallest) / growth_ : std::numeric_limits<double>::infinity();
   };
   for (auto const& fault : faults_) {

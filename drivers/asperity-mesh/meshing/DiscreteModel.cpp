@@ -47,7 +47,7 @@ void DiscreteModel::build()
   embed();
 }
 
-// 1.5 area / perimeter, for patches and the curves around them.
+// The width 1.5 area / perimeter of patches and of the curves around them.
 std::map<std::pair<int, int>, double> DiscreteModel::widths() const
 {
   std::map<std::pair<int, int>, double> widths;

@@ -13,16 +13,17 @@
 namespace asperity::geometry
 {
 // The arranged surfaces as a model in Gmsh: points, curves and surfaces with tags 1, 2, ... in the
-// order here, and the volume between them. InputError if a patch is closed or has a handle; what
-// Gmsh throws is not caught.
+// order here, and the volume between them. InputError if a patch is closed or has a handle;
+// exceptions of Gmsh are not caught.
 class DiscreteModel
 {
 public:
   DiscreteModel(Complex const& complex, Model const& named_model);
 
-  // Into the open model of Gmsh.
+  // Adds the entities to the current model of Gmsh.
   void build();
-  // 1.5 area / perimeter, for patches and the curves around them, by dimension and tag.
+  // The width 1.5 area / perimeter [m] of patches and of the curves around them, by dimension and
+  // tag.
   std::map<std::pair<int, int>, double> widths() const;
   // Tags of patches.
   std::map<std::string, std::vector<int>> surfacesByName() const;

@@ -79,7 +79,7 @@ private:
     }
   }
 
-  // Whether the cell could be made less flat.
+  // Divides the edge of the cell that increases the smallest angle most; false if none does.
   bool repair(int cell)
   {
     constexpr double better = 0.5; // degrees
@@ -111,7 +111,7 @@ private:
     return smallest;
   }
 
-  // The best place that random ones nearer and nearer to it have led to.
+  // The best of random places, which are drawn closer and closer to the best one so far.
   Division divisionOf(Edge const& edge)
   {
     constexpr int tries = 40;
@@ -181,7 +181,7 @@ private:
   std::vector<std::pair<double, int>> flat_; // angle, cell
   std::map<int, std::set<int>> around_;      // the cells at vertices of flat ones
   std::set<Edge> on_surfaces_;
-  std::mt19937 random_; // always the same numbers
+  std::mt19937 random_; // with the default seed, so that meshes are reproducible
 };
 } // namespace
 

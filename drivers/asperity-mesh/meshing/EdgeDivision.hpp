@@ -4,9 +4,9 @@
 
 namespace asperity::geometry
 {
-// Divides edges inside the volume, of cells with dihedral angles below `wanted` [degrees], by a new
-// vertex at the place that makes the smallest angle of the cells around the edge largest, if that
-// is larger than before. A flat cell whose vertices all lie on one surface is repaired by that: the
-// new vertex is free to leave the surface. Returns the number of new vertices.
+// Divides edges inside the volume, of cells with dihedral angles below `wanted` [degrees]. The new
+// vertex lies where the smallest angle of the cells around the edge is largest; the edge stays
+// undivided if that angle does not increase. This repairs flat cells whose vertices all lie on one
+// surface, since the new vertex need not lie on it. Returns the number of new vertices.
 int divideEdges(GlobalMesh<3>& mesh, double wanted);
 } // namespace asperity::geometry

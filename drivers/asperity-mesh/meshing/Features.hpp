@@ -9,9 +9,9 @@
 
 namespace asperity::geometry
 {
-// Places where a curve comes nearer to another curve or patch that it does not meet than the size
-// of cells there, and that distance, at least `smallest_share` of that size: cells there have to be
-// smaller to keep good angles.
+// Places where the distance of a curve to another curve or patch, which it does not meet, is below
+// the size of cells, each with that distance, or with `smallest_share` of the size if that is larger.
+// Larger cells would have small angles there.
 std::vector<std::pair<Point<3>, double>> narrowPlaces(Complex const& complex, CellSize const& size,
                                                       double smallest_share);
 } // namespace asperity::geometry

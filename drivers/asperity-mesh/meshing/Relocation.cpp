@@ -20,7 +20,8 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr int is_free = -1, is_fixed = -2; // or the tree that a vertex lies on
+// What tree_of_ says of a vertex, unless it is the tree on which the vertex has to stay.
+constexpr int is_free = -1, is_fixed = -2;
 
 class Relocation
 {
@@ -84,7 +85,8 @@ public:
   }
 
 private:
-  // A vertex on a curve has the surfaces of the curve, and is none of its ends.
+  // A vertex lies inside a curve if it lies on all surfaces of the curve and is not one of its
+  // ends.
   void constrainToCurves(Complex const& complex, std::vector<std::set<int>> const& surfaces,
                          std::set<int> const& on_curves)
   {
@@ -193,7 +195,7 @@ private:
   std::vector<int> tree_of_;             // (num_vertices)
   std::vector<std::vector<int>> around_; // (num_vertices) cells
   std::vector<TriangleTree> trees_;      // of surfaces, then of curves
-  std::mt19937 random_;                  // always the same numbers
+  std::mt19937 random_;                  // with the default seed, so that meshes are reproducible
 };
 } // namespace
 

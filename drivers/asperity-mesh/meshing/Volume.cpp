@@ -78,7 +78,7 @@ void setSize(SizeAt const& size)
 #endif
 }
 
-// How far the volume is, from how many sizes Gmsh has requested there.
+// The progress of the volume, estimated from the number of sizes that Gmsh has requested there.
 class FillProgress
 {
 public:
@@ -88,7 +88,7 @@ public:
   {
   }
 
-  // The first calls do not count: Gmsh prepares for long between them.
+  // The first calls do not count: Gmsh spends much time on preparations between them.
   void count()
   {
     if (++number_ % calls_between_looks != 0) {

@@ -13,8 +13,7 @@ namespace asperity::geometry
 {
 // Divides curves, patches and the volume between them into cells with Gmsh: the surfaces keep their
 // names, and the mesh is not yet split along the faults. `reportProgress` gets a line for each
-// step, and in a long one every ten seconds how far it is, by the number of cells that are
-// expected.
+// step, and every ten seconds an estimate of the progress, from the expected number of cells.
 //
 // InputError, with Gmsh's reason, if Gmsh cannot do it, or a patch is closed or has a handle.
 GlobalMesh<3> fillVolume(Complex const& complex, Model const& model, CellSize const& size,

@@ -36,7 +36,7 @@ std::vector<int> firstOfEqual(Points const& points)
   return first;
 }
 
-// Area against the longest edge: what is below this is rounding.
+// Whether the area exceeds rounding errors, compared with the square of the longest edge.
 bool hasArea(std::array<double, 3> const& a, std::array<double, 3> const& b,
              std::array<double, 3> const& c)
 {

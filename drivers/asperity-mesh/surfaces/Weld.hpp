@@ -7,9 +7,9 @@
 
 namespace asperity::geometry
 {
-// The surface with equal points made one, without points that no triangle uses, without triangles
-// that have no area (up to rounding) and without triangles that are there twice; `remark` gets a
-// sentence on each kind of triangle that is dropped. InputError, which starts with `where`, if no
+// Merges equal points, and removes points without a triangle, triangles without an area (up to
+// rounding) and copies of triangles. `remark` gets a sentence on each kind of triangle that is
+// removed. InputError, which starts with `where`, if no
 // triangle is left. Takes about 150 bytes a triangle in addition to the surface.
 TriangleSurface welded(TriangleSurface&& surface, std::string const& where,
                        RemarkSink const& remark);

@@ -16,7 +16,7 @@ TriangleSurface rectangle(Point<3> const& a, Point<3> const& b, Point<3> const& 
   return {{a, b, c, d}, {{0, 1, 2}, {0, 2, 3}}};
 }
 
-// Larger than the box, so that its border is nowhere on a wall.
+// The surface extends beyond the box, so that none of its borders lies on a wall.
 TriangleSurface flatGround(Box const& box)
 {
   const double more = 0.1 * std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);

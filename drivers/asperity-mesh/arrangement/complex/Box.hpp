@@ -13,7 +13,7 @@ struct Box
   Point<3> low{}, high{}; // [m]; high[2] is the height of a flat ground
 };
 
-// Surfaces in the order in which everything here numbers them: faults, ground, west, east, south,
+// All surfaces of a model; their numbers follow this order: faults, ground, west, east, south,
 // north, bottom.
 struct Model
 {
@@ -33,8 +33,8 @@ struct BoxNames
               ground = "ground";
 };
 
-// `ground` without triangles stands for a flat one. Walls reach above the ground, which reaches
-// beyond the walls: what is too much is dropped after the arrangement.
+// An empty `ground` means a flat one. Walls extend above the ground, and the ground beyond the
+// walls; these parts are removed after the arrangement (keepBody).
 Model makeModel(std::vector<NamedSurface> faults, TriangleSurface ground, Box const& box,
                 BoxNames const& names);
 } // namespace asperity::geometry

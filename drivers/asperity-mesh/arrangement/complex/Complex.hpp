@@ -17,7 +17,7 @@ using Triangle = std::array<int, 3>;
 using Edge = std::array<int, 2>; // ascending
 
 inline Edge edgeOf(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-// The edge after corner k.
+// The edge from corner k to the next one.
 inline Edge edgeOf(Triangle const& triangle, int k)
 {
   return edgeOf(triangle[k], triangle[(k + 1) % 3]);
@@ -49,7 +49,7 @@ Point<3> centroidOf(std::vector<Point<3>> const& points, Triangle const& triangl
 // From an edge into a triangle at it, at right angles to the edge, of length 1.
 Point<3> inward(std::vector<Point<3>> const& points, Edge const& edge, Triangle const& triangle);
 
-// Leaves out triangles, and points that no triangle is left at. `points`, if given, gets the new
+// Removes the other triangles, and the points without a triangle. `points`, if given, gets the new
 // number of each point, or -1.
 void keepTriangles(Complex& complex, std::vector<bool> const& is_kept,
                    std::vector<int>* points = nullptr);
@@ -58,6 +58,6 @@ void keepTriangles(Complex& complex, std::vector<bool> const& is_kept,
 std::string placeText(Point<3> const& place);
 // "x from -5 to 5 km, y ..., z ..."
 std::string extentText(std::vector<Point<3>> const& points);
-// The diagonal of the box around points, of which there are some [m].
+// The diagonal of the bounding box of points, at least one [m].
 double extentOf(std::vector<Point<3>> const& points);
 } // namespace asperity::geometry

@@ -47,7 +47,7 @@ public:
         startAt(v);
       }
     }
-    for (auto const& [v, ends] : edges_) { // closed ones without a corner
+    for (auto const& [v, ends] : edges_) { // closed curves have no end to begin with
       startAt(v);
     }
     return curves_;

@@ -6,12 +6,12 @@
 
 namespace asperity::geometry
 {
-constexpr double sharp_turn = 0.5; // cosine of the turn of a curve that makes a corner
+constexpr double sharp_turn = 0.5; // cosine of the change of direction from which on a curve ends
 
-// A line along which surfaces meet, or a surface ends. It has the same surfaces all along.
+// A line along which the same surfaces meet, or along which a surface ends.
 struct Curve
 {
-  std::vector<int> points;   // of the complex, from corner to corner; the same one if it is closed
+  std::vector<int> points;   // from end to end; first and last are equal if the curve is closed
   std::vector<int> surfaces; // ascending, one entry for each triangle at it
 };
 

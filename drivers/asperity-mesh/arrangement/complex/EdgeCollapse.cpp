@@ -25,7 +25,7 @@ enum class Place
   corner
 };
 
-// What is around a point.
+// The surfaces and curves at a point.
 struct Star
 {
   Place place = Place::patch;
@@ -191,7 +191,8 @@ private:
     return false;
   }
 
-  // The ends of curves that leave a point, seen from a place; as far away as `far` if they go on.
+  // Where curves lead that begin at a point: their direction and length up to their end, or up to
+  // the length `far`.
   struct Direction
   {
     int end;
@@ -225,8 +226,8 @@ private:
     return found;
   }
 
-  // Whether curves that lie side by side would become a narrow wedge. Those to a point nearby, the
-  // third corner of a small triangle, become one.
+  // Whether two curves would enclose an angle below 20 degrees. Curves to one point nearby, the
+  // third corner of a small triangle, are merged and do not count.
   bool makesNarrow(int from, int to, double limit) const
   {
     constexpr double far = 10, near = 2; // in units of the limit
@@ -242,7 +243,8 @@ private:
     });
   }
 
-  // Points that are neighbours of both ends have a triangle with both.
+  // Whether each common neighbour of both ends forms a triangle with them, so that no two parts of
+  // a surface are joined.
   bool staysApart(int from, int to) const
   {
     const auto a = neighbours(from), b = neighbours(to);
@@ -269,7 +271,7 @@ private:
     return 2 * areaOf(complex_.points, t) / longest;
   }
 
-  // Whether a triangle would turn against its surface, or become a needle.
+  // Whether the normal of a triangle would reverse, or the triangle would become very thin.
   bool turns(int from, int to, double limit) const
   {
     constexpr double largest_turn = 0.17, flat = 0.05, flatter = 0.5;

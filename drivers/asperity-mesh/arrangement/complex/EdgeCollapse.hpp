@@ -10,11 +10,11 @@ namespace asperity::geometry
 // Lengths [m] below which an edge at a place is contracted.
 using Shortest = std::function<double(Point<3> const&)>;
 
-// Contracts edges that are shorter than `shortest`, so that no curve between two surfaces, and no
-// triangle, is much smaller than the cells that are to be made there. An end inside a patch moves
-// to the other end; one on a curve moves along the curve; a corner, where curves meet, moves only
-// onto a corner, unless that makes a narrow wedge of two curves. No point leaves the ground, a wall
-// or the bottom; no triangle turns over; no two parts of a surface are joined that were apart.
+// Contracts edges that are shorter than `shortest`, so that no curve and no triangle is much
+// smaller than the cells that are to be made there. A point inside a patch may move onto any
+// neighbour, a point of a curve along the curve, and a corner, where curves meet, onto another
+// corner, unless two curves would then enclose a small angle. Points of the ground, of walls and of
+// the bottom stay on them, no triangle reverses its normal, and the topology of surfaces is kept.
 // Returns how many corners were moved onto others.
 int contractShortEdges(Complex& complex, Model const& model, Shortest const& shortest);
 } // namespace asperity::geometry

@@ -27,7 +27,7 @@ Point<3> nearestOnSegment(Point<3> const& a, Point<3> const& b, Point<3> const& 
   return sum(a, std::clamp(s, 0., 1.), along);
 }
 
-// The foot of the perpendicular if it lies in the triangle, or else a point of its sides.
+// The orthogonal projection onto the triangle if it lies inside, else the nearest point of a side.
 Point<3> nearestOnTriangle(Corners const& corners, Point<3> const& place)
 {
   const auto u = mesh::difference<3>(corners[1], corners[0]);

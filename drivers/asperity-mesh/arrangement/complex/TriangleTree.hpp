@@ -21,7 +21,7 @@ public:
     Point<3> point{};
     double distance = std::numeric_limits<double>::infinity(); // [m]
   };
-  // Only what is nearer than the bound counts, and only triangles that pass the filter, if any.
+  // The nearest triangle within the bound among those that pass the filter, if there is a filter.
   using Filter = std::function<bool(int triangle)>;
   Nearest nearest(Point<3> const& place, double bound = std::numeric_limits<double>::infinity(),
                   Filter const& filter = {}) const;

@@ -55,7 +55,7 @@ Point<3> rounded(Point3 const& point)
   return {rounded(point.x()), rounded(point.y()), rounded(point.z())};
 }
 
-// A triangle of the input with what others cut into it.
+// A triangle of the input, and the points and segments in which others intersect it.
 struct Piece
 {
   int surface;
@@ -235,7 +235,7 @@ private:
     }
   }
 
-  // In the two coordinates in which the triangle is largest.
+  // Projects along the axis along which the projection of the triangle is largest.
   void triangulate(Piece const& piece)
   {
     const auto whole = triangle(piece);

@@ -14,7 +14,7 @@ struct Arrangement
 };
 
 // Divides the triangles of surfaces where these meet, so that they have vertices and edges in
-// common there. Exact: with rational numbers (CGAL), rounded in the end; no tolerance decides.
+// common there. Computes with rational numbers (CGAL), without a tolerance, and rounds at the end.
 // Surfaces are as checkedSurface makes them.
 //
 // InputError, with names and place, if two surfaces overlap in an area, or a surface crosses,

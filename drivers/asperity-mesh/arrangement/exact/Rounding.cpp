@@ -12,7 +12,7 @@ namespace asperity::geometry
 {
 namespace
 {
-// Leaves out triangles that have two equal points or are there twice.
+// Removes triangles that have two equal points, and copies of triangles.
 void removeRepeated(Complex& complex, std::vector<bool> is_kept)
 {
   std::set<Triangle> known;
@@ -104,7 +104,7 @@ bool divideAtCaps(Complex& complex, double tolerance)
       complex.surfaces.push_back(complex.surfaces[j]);
       is_kept.push_back(true);
     }
-    for (int end : edge) { // their triangles wait for the next pass
+    for (int end : edge) { // their triangles are changed in the next pass
       for (int j : at_edges.at(edgeOf(end, middle))) {
         is_busy[j] = true;
       }

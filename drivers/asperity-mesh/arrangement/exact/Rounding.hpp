@@ -4,9 +4,9 @@
 
 namespace asperity::geometry
 {
-// After rounding, or where surfaces touch up to rounding, edges may have no length and triangles no
-// height. Makes points one that an edge shorter than `tolerance` [m] joins, and divides all
-// triangles at an edge to which a corner of one of them is that near. `tolerance` has to be far
-// smaller than all that is meant.
+// Rounding makes edges without length and triangles without height, also where surfaces touch up to
+// rounding. Merges the ends of edges that are shorter than `tolerance` [m], and divides all
+// triangles at an edge whose opposite corner in one of them is closer than that. `tolerance` has to
+// be far smaller than all details of the input.
 void removeRounding(Complex& complex, double tolerance);
 } // namespace asperity::geometry

@@ -79,7 +79,7 @@ private:
   }
 
   double tolerance_;
-  std::unordered_map<std::size_t, std::vector<int>> of_cell_; // cells of one key share an entry
+  std::unordered_map<std::size_t, std::vector<int>> of_cell_; // by hash, which cells may share
 };
 
 void requireEdges(TriangleSurface const& surface, TrianglesAtEdges const& at_edges,
@@ -148,7 +148,7 @@ void orient(TriangleSurface& surface, TrianglesAtEdges const& at_edges, std::str
   }
 }
 
-// With points that are equal made one, and triangles that have an area.
+// The surface with equal points merged, without triangles that lose their area by that.
 TriangleSurface welded(TriangleSurface const& surface, std::string const& where)
 {
   requireNumbers(surface, where);
@@ -167,7 +167,7 @@ TriangleSurface welded(TriangleSurface const& surface, std::string const& where)
       v = number_of[v];
     }
     if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[0] == triangle[2]) {
-      continue; // its points were one: no other triangle misses it
+      continue; // two of its points were merged, so that its neighbours have one edge in common
     }
     double longest = 0;
     for (int k = 0; k < 3; ++k) {

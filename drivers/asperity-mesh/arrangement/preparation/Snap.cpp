@@ -14,7 +14,7 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr double push = 3; // in units of snap
+constexpr double push = 3; // displacement of a border point, in units of snap
 
 Point<3> scaled(Point<3> const& v, double factor)
 {
@@ -44,7 +44,7 @@ TriangleTree treeOfOthers(Model const& model, int self)
   return {points, triangles};
 }
 
-// Where the border near other surfaces goes: (point, displacement).
+// The displacements of border points that are near other surfaces, by point.
 std::map<int, Point<3>> displacements(TriangleSurface const& surface, TriangleTree const& others,
                                       double snap)
 {
@@ -78,14 +78,14 @@ std::map<int, Point<3>> displacements(TriangleSurface const& surface, TriangleTr
     const auto side = lateral.find(v);
     const auto move = scaled(unit(side == lateral.end() ? sum : side->second), push * snap);
     auto const& from = surface.points[v];
-    // From a little before, because the point may lie on the surface or just behind it.
+    // The segment begins inside the fault, since the point itself may lie on the other surface.
     if (others.isCrossedBy(plus(from, scaled(move, -1 / push)), plus(from, move))) {
       moves.emplace(v, move);
     }
   }
   return moves;
 }
-// Takes out moves that would turn a triangle over, or nearly so.
+// Removes displacements that would turn the normal of a triangle by 60 degrees or more.
 void leaveFolds(TriangleSurface const& surface, std::map<int, Point<3>>& moves)
 {
   constexpr double smallest = 0.5; // cosine
@@ -119,7 +119,7 @@ std::vector<std::vector<bool>> pushBorders(Model& model, double snap)
   if (snap <= 0) {
     return is_moved;
   }
-  std::vector<std::map<int, Point<3>>> moves; // all found before one is made
+  std::vector<std::map<int, Point<3>>> moves; // all are found before a point moves
   for (int s = 0; s < model.num_faults; ++s) {
     moves.push_back(displacements(model.surfaces[s].surface, treeOfOthers(model, s), snap));
   }

@@ -6,10 +6,10 @@
 
 namespace asperity::geometry
 {
-// Moves the border of faults that ends nearer than `snap` [m] to another surface across that
-// surface, by three times as much and along its own plane, unless it would end on the same side or
-// fold its surface. Borders that touch it only up to rounding, or stop a little short, then meet
-// it. What lies beyond it is dropped after the arrangement
-// (keepBody). Returns (num_surfaces) x (its points): whether the point was moved.
+// Extends faults whose border is nearer than `snap` [m] to another surface, so that they intersect
+// it: border points move across that surface by 3 snap, in the plane of the fault. Points stay
+// where they would not reach the other side, or would fold the fault. The part of a fault beyond
+// the other surface is removed after the arrangement (keepBody). Returns for each surface whether
+// each of its points was moved.
 std::vector<std::vector<bool>> pushBorders(Model& model, double snap);
 } // namespace asperity::geometry

@@ -15,16 +15,16 @@ namespace asperity::geometry
 {
 namespace
 {
-// The edges at which the same parts meet, and by how much each two of them continue each other.
+// The edges at which the same parts meet, and how well each pair of parts continues each other.
 struct Branch
 {
   struct Pair
   {
-    double cosine = 0; // between their directions away from the line, times lengths; summed
+    double cosine = 0; // of the angle between the parts at the line, integrated along it [m]
     int first, second; // positions in the list of parts
   };
   std::map<std::pair<int, int>, double> cosines;
-  std::vector<int> parts; // ascending; one that meets itself is there twice
+  std::vector<int> parts; // ascending; a part that meets itself is listed twice
 
   std::vector<Pair> straightest() const
   {

@@ -6,8 +6,9 @@
 
 namespace asperity::geometry
 {
-// The sheets of a surface that branches, largest first: where more than two of its parts meet at a
-// line, those two go on as one sheet that bend least there on average, and so on with the rest.
-// A surface that branches nowhere is one sheet, with all its parts.
+// The sheets of a surface that branches, largest first. Where more than two parts of the surface
+// meet along a line, the two parts with the smallest mean angle between them are joined to one
+// sheet, then the next two, and so on. A surface that branches nowhere is one sheet, even if it is
+// not connected.
 std::vector<TriangleSurface> sheetsOf(TriangleSurface const& surface);
 } // namespace asperity::geometry

@@ -28,7 +28,7 @@ std::string lowerCase(std::string_view word)
 }
 
 // Header "ncols 3", "nrows 2", "xllcorner 0", "yllcorner 0", "cellsize 10", "NODATA_value -9999",
-// then the values row by row, the northern row first, cells in the middle of which they stand.
+// then the values row by row, the northern row first. A value belongs to the centre of its cell.
 class EsriReader
 {
 public:

@@ -10,7 +10,7 @@ namespace asperity::geometry
 {
 namespace
 {
-// Whether it had to be turned.
+// Reverses a decreasing axis; returns whether it did so.
 bool makeIncreasing(std::vector<double>& axis, char const* name, std::string const& where)
 {
   ASPERITY_REQUIRE(axis.size() >= 2, where << ": axis " << name << " has " << axis.size()
@@ -63,7 +63,7 @@ Grid::Grid(std::vector<double> x, std::vector<double> y, std::vector<double> z, 
 Grid::Place Grid::place(std::vector<double> const& axis, double value, char const* name,
                         Outside outside) const
 {
-  // Up to rounding of a projection there and back the edge belongs to the grid.
+  // A place on the edge may lie outside by the rounding error of a projection and its inverse.
   const double slack = 1e-9 * (axis.back() - axis.front());
   ASPERITY_REQUIRE(
     outside == Outside::clamp || (value >= axis.front() - slack && value <= axis.back() + slack),

@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-// Grids by the CF conventions: what an axis is, is told by its units or its standard name, then by
-// its attribute `axis`, then by its name.
+// Grids by the CF conventions. An axis is identified by its units, its standard name, its attribute
+// `axis` or its name.
 namespace asperity::geometry
 {
 namespace
@@ -62,7 +62,7 @@ Axis axisOf(NetcdfVariable const& variable)
   return Axis::unknown;
 }
 
-// Dimensions of length 1, as a time, before the last two do not count.
+// Whether a variable has two dimensions, after leading dimensions of length 1 such as a time.
 bool isPlane(NetcdfVariable const& variable)
 {
   auto const& shape = variable.shape;

@@ -17,7 +17,7 @@ namespace asperity::geometry
 {
 namespace
 {
-// Of lines in the middle of the grid, in the model [m]: the smaller one of x and y.
+// The smaller spacing of the two axes in the middle of the grid, in the model [m].
 double spacingOf(Grid const& grid, Units const& units)
 {
   const std::size_t i = (grid.x().size() - 1) / 2, j = (grid.y().size() - 1) / 2;

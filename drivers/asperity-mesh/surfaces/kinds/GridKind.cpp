@@ -43,7 +43,8 @@ Teuchos::RCP<const ParameterList> gridEntries()
     .list();
 }
 
-// A file that says something else than the deck is as likely right as the deck.
+// The value of an entry that the file may also state. InputError if file and deck disagree, since
+// either may be wrong.
 template <class Value>
 Value agreed(ParameterList const& list, std::string const& path, char const* name,
              std::string const& where, bool is_in_file, Value const& in_file, Value const& given)

@@ -29,8 +29,8 @@ TriangleSurface makeSurfaceFile(ParameterList const& list, std::string const& pa
                                 SurfaceContext const& context)
 {
   const auto units = Units::read(list, path, context);
-  // Points that are welded are equal in the file, so that units come later. The reader compares
-  // its unit with that of the file.
+  // readSurface gets the unit only to compare it with that of the file: points are converted here,
+  // after equal points have been merged.
   auto surface = readSurface(fileOf(list, surface_file, context), units.horizontal(),
                              list.get<std::string>(part_name), context.remark);
   for (auto& point : surface.points) {

@@ -38,7 +38,7 @@ std::string withoutEnd(std::string text)
   return text;
 }
 
-// False if the product exceeds what 64 bits hold.
+// False if the product exceeds 64 bits.
 bool multiply(std::uint64_t& product, std::uint64_t factor)
 {
   if (factor != 0 && product > UINT64_MAX / factor) {

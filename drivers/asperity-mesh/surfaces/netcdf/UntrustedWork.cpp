@@ -14,7 +14,7 @@ namespace
 {
 constexpr rlim_t longest_time = 60; // s of CPU
 
-// Without core files, and without what a library prints when it crashes.
+// Turns off core files and the output of a library that crashes.
 void prepareForCrash()
 {
   const rlimit no_core = {0, 0}, time = {longest_time, longest_time};

@@ -4,7 +4,7 @@
 #include <functional>
 #include <sys/resource.h>
 
-// For libraries that may crash, or take memory without end, where a file is damaged.
+// Calls of libraries that may crash, or use up the memory, when a file is damaged.
 namespace asperity::geometry
 {
 // Whether the work comes to its end: it is tried in a copy of this process (fork), of which nothing
