@@ -18,7 +18,7 @@ bool hasEnding(std::string const& file_name, std::string const& ending);
 std::string alternatives(std::vector<std::string> const& words);
 
 template <class Format>
-struct Found
+struct NamedFormat
 {
   std::string name; // of the format
   Format const* format = nullptr;
@@ -26,10 +26,10 @@ struct Found
 
 // The format that has the longest ending of the file's name; no format if none fits.
 template <class Format>
-Found<Format> findFormat(std::string const& file_name)
+NamedFormat<Format> findFormat(std::string const& file_name)
 {
   auto const& registry = Registry<Format>::instance();
-  Found<Format> found;
+  NamedFormat<Format> found;
   std::size_t longest = 0;
   for (auto const& name : registry.names()) {
     auto const& format = registry.at(name);

@@ -1,7 +1,5 @@
 #include "formats/MeshFormat.hpp"
 
-#include "FormatChoice.hpp"
-
 #include "base/Errors.hpp"
 
 namespace asperity::geometry
@@ -31,6 +29,6 @@ FoundFormat formatOf(std::string const& file_name)
                        << ". The program meshio (Debian: meshio-tools) makes such files of others: "
                           "meshio convert IN OUT.vtu. A format of your own comes with --plugin. "
                           "Surfaces of faults and ground are for asperity-mesh build.");
-  return {found.name, found.format};
+  return found;
 }
 } // namespace asperity::geometry

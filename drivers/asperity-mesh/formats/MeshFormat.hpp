@@ -1,5 +1,6 @@
 #pragma once
 
+#include "FormatChoice.hpp"
 #include "assembly/ForeignMesh.hpp"
 #include "assembly/GroupNames.hpp"
 
@@ -56,11 +57,7 @@ public:
 };
 using MeshFormatRegistry = Registry<MeshFormat>;
 
-struct FoundFormat
-{
-  std::string name;
-  MeshFormat const* format;
-};
+using FoundFormat = NamedFormat<MeshFormat>;
 // By the longest ending of the file's name, in lower or upper case; InputError if none fits.
 FoundFormat formatOf(std::string const& file_name);
 } // namespace asperity::geometry

@@ -197,7 +197,7 @@ private:
   std::string where_;
 };
 
-class Netcdf final : public GridFormat
+class NetcdfFormat final : public GridFormat
 {
 public:
   std::vector<std::string> endings() const override { return {".nc", ".grd", ".cdf"}; }
@@ -209,5 +209,5 @@ public:
 };
 } // namespace
 
-ASPERITY_REGISTER(GridFormatRegistry, "netCDF", Netcdf)
+ASPERITY_REGISTER(GridFormatRegistry, "netCDF", NetcdfFormat)
 } // namespace asperity::geometry

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <type_traits>
 #include <vector>
 
@@ -38,12 +40,18 @@ NetcdfAttribute readAttribute(h5::Dataset const& dataset, std::string const& nam
   return attribute;
 }
 
-// HDF5 itself crashes on some damaged files: until 1.10.8 it does not check the reference of a text
-// of variable length, for example (H5HG_read). `where` begins the message.
-void requireNoCrash(std::string const& where, std::function<void()> const& read)
+// HDF5 itself crashes on some damaged files, or does not come to an end: until 1.10.8 it does not
+// check the reference of a text of variable length, for example (H5HG_read). `where` begins the
+// message.
+void requireNoCrash(std::string const& file_name, std::string const& where,
+                    std::function<void()> const& read)
 {
+  constexpr std::uint64_t least = 2, bytes_per_second = 1000000; // far slower than any read
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(file_name, unknown);
+  const std::uint64_t seconds = least + (unknown ? 0 : size / bytes_per_second);
   ASPERITY_REQUIRE(
-    endsInATrial(read),
+    endsInATrial(read, seconds),
     where << " cannot be read: it is damaged in a way that makes HDF5 crash. Copy the "
              "file again from its source, or write it once more.");
 }
@@ -53,6 +61,7 @@ class Netcdf4 : public NetcdfFile
 public:
   Netcdf4(std::string const& file_name, std::string const& what)
       : NetcdfFile(what + " '" + file_name + "'")
+      , file_name_(file_name)
       , file_(readable([&] { return h5::File::open(file_name); }))
   {
     constexpr std::uint64_t plenty = std::uint64_t(256) << 20; // bytes, for names and attributes
@@ -107,7 +116,7 @@ private:
   std::invoke_result_t<Call> valuesOf(std::string const& name, Call const& read) const
   {
     const std::string where = where_ + ": variable '" + name + "'";
-    requireNoCrash(where, read);
+    requireNoCrash(file_name_, where, read);
     try {
       return read();
     } catch (h5::Error const& error) {
@@ -173,13 +182,15 @@ private:
     }
   }
 
+  std::string file_name_;
   h5::File file_;
 };
 } // namespace
 
 std::unique_ptr<NetcdfFile> openNetcdf4(std::string const& file_name, std::string const& what)
 {
-  requireNoCrash(what + " '" + file_name + "'", [&] { const Netcdf4 trial(file_name, what); });
+  requireNoCrash(file_name, what + " '" + file_name + "'",
+                 [&] { const Netcdf4 trial(file_name, what); });
   return std::make_unique<Netcdf4>(file_name, what);
 }
 } // namespace asperity::geometry

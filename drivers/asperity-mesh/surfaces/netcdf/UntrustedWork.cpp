@@ -12,12 +12,10 @@ namespace asperity::geometry
 {
 namespace
 {
-constexpr rlim_t longest_time = 60; // s of CPU
-
 // Turns off core files and the output of a library that crashes.
-void prepareForCrash()
+void prepareForCrash(rlim_t seconds)
 {
-  const rlimit no_core = {0, 0}, time = {longest_time, longest_time};
+  const rlimit no_core = {0, 0}, time = {seconds, seconds};
   ::setrlimit(RLIMIT_CORE, &no_core);
   ::setrlimit(RLIMIT_CPU, &time);
   const int nowhere = ::open("/dev/null", O_WRONLY);
@@ -26,14 +24,14 @@ void prepareForCrash()
 }
 } // namespace
 
-bool endsInATrial(std::function<void()> const& work)
+bool endsInATrial(std::function<void()> const& work, std::uint64_t seconds)
 {
   const pid_t trial = ::fork();
   if (trial < 0) {
     return true;
   }
   if (trial == 0) {
-    prepareForCrash();
+    prepareForCrash(seconds);
     try {
       work();
     } catch (...) { // the caller meets the same error
