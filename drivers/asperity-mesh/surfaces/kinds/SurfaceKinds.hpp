@@ -53,8 +53,7 @@ void chooseSurfaceType(ParameterList& list, std::string const& path);
 TriangleSurface makeSurface(ParameterList const& list, std::string const& path,
                             SurfaceContext const& context);
 
-// The entry that names this file, of a list that has these other entries as well: `Surface File`
-// for "main.stl". If the file's name does not tell it, that of the kind which knows most of the
-// entries.
+// The entry that names this file, in a list that has these other entries, too: `Surface File` for
+// "main.stl". If the name does not tell the kind, that of the kind which has most of the entries.
 std::string fileEntryFor(std::string const& file_name, std::vector<std::string> const& entries);
 } // namespace asperity::geometry

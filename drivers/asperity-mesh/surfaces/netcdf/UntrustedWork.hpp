@@ -8,7 +8,7 @@
 namespace asperity::geometry
 {
 // Whether the work comes to its end: it is tried in a copy of this process (fork), of which nothing
-// remains. False if a signal ends the copy, or if it takes more than so many seconds of CPU time. An
+// remains. False if a signal ends the copy, or if it takes more than these seconds of CPU time. An
 // exception is an end, too. Work for which the system cannot make a second process is not tried.
 // Other threads must not hold locks that the work needs.
 bool endsInATrial(std::function<void()> const& work, std::uint64_t seconds);
