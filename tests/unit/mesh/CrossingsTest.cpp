@@ -187,8 +187,8 @@ TEST(Crossings, RefuseFaultsThatTouch)
   const auto corner = [](double side) {
     return [side](auto& p) { return side * (p[0] - 2.0) == std::abs(p[1]); };
   };
-  expectRefused(faultedRectangle({{"left", corner(-1.0)}, {"right", corner(1.0)}}),
-                {"Here: faults 'left' and 'right' touch each other at (2, 0)", "Separate them"});
+  expectRefused(faultedRectangle({{"one", corner(-1.0)}, {"other", corner(1.0)}}),
+                {"Here: faults 'one' and 'other' touch each other at (2, 0)", "Separate them"});
 }
 
 TEST(Crossings, AreSeenByTheCheck)
