@@ -3,9 +3,9 @@
 Argument: the folder with tpv13_training.puml.h5; status 77 where it is not there.
 
 After half a second
-* the largest slip lies in the square of 3 km where the stress exceeds the strength; it is larger than
-  the slip-weakening distance, and smaller than on a fault whose stress drops everywhere and at once,
-  which slips at 2 c_s stress drop / G;
+* the largest slip lies in the square of 3 km where the stress exceeds the strength; it is larger
+  than the slip-weakening distance, and smaller than on a fault whose stress drops everywhere and at
+  once, which slips at 2 c_s stress drop / G;
 * the fault has not slipped where no P wave has arrived;
 * the foot wall, which is the plus side, has moved up the dip.
 """
