@@ -1,12 +1,27 @@
 #include "Plugins.hpp"
 
 #include "formats/MeshFormat.hpp"
+#include "surfaces/files/SurfaceFormat.hpp"
+#include "surfaces/grids/GridFormat.hpp"
+#include "surfaces/kinds/SurfaceKind.hpp"
 
 #include "base/Errors.hpp"
 #include "base/program/Plugins.hpp"
 
 namespace asperity::geometry
 {
+std::vector<std::string> registrations()
+{
+  std::vector<std::string> all;
+  for (auto const& some : {MeshFormatRegistry::instance().registrations(),
+                           SurfaceFormatRegistry::instance().registrations(),
+                           GridFormatRegistry::instance().registrations(),
+                           SurfaceKindRegistry::instance().registrations()}) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
 std::vector<std::string> loadPlugins(std::vector<std::string> const& words)
 {
   const std::string option = "--plugin";
@@ -23,7 +38,7 @@ std::vector<std::string> loadPlugins(std::vector<std::string> const& words)
       others.push_back(words[i]);
     }
   }
-  asperity::loadPlugins(files, [] { return MeshFormatRegistry::instance().registrations(); });
+  asperity::loadPlugins(files, registrations);
   return others;
 }
 } // namespace asperity::geometry

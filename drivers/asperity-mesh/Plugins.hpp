@@ -5,8 +5,14 @@
 
 namespace asperity::geometry
 {
-// Takes out every --plugin FILE of the words, loads these libraries, which register formats of
-// meshes (formats/MeshFormat.hpp), and returns the other words. InputError if a value is missing or
-// a library cannot be loaded, brings no format, or one that is there already.
+// All that a library may add to this program: formats of meshes (formats/MeshFormat.hpp), surfaces
+// (surfaces/files/SurfaceFormat.hpp) and grids (surfaces/grids/GridFormat.hpp), and kinds of surface
+// (surfaces/kinds/SurfaceKind.hpp), as "mesh format 'Gmsh'". A name that is registered twice occurs
+// twice.
+std::vector<std::string> registrations();
+
+// Takes out every --plugin FILE of the words, loads these libraries, and returns the other words.
+// InputError if a value is missing or a library cannot be loaded, registers nothing, or registers a
+// name that is taken.
 std::vector<std::string> loadPlugins(std::vector<std::string> const& words);
 } // namespace asperity::geometry

@@ -27,8 +27,8 @@ void printHelp()
               << text.meaning << '\n'
               << arguments.help();
   }
-  std::cout << "\nEvery command takes --plugin LIBRARY, which brings a format of meshes of your "
-               "own; may be repeated.\n"
+  std::cout << "\nEvery command takes --plugin LIBRARY, which adds formats of meshes, surfaces and "
+               "grids and kinds of surface of your own; may be repeated.\n"
                "Exit status: 0 done, 2 the input is at fault, 5 a file cannot be written.\n";
 }
 

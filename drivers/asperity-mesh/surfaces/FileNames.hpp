@@ -24,7 +24,8 @@ Format const& formatOf(std::string const& file_name, std::string const& what)
   ASPERITY_REQUIRE(found.format != nullptr, what << " '" << file_name << "': its extension '"
                                                  << extensionOf(file_name)
                                                  << "' is not that of a known format: "
-                                                 << quotedAlternatives(endingsOf<Format>()) << ".");
+                                                 << quotedAlternatives(endingsOf<Format>())
+                                                 << ". A format of your own comes with --plugin.");
   return *found.format;
 }
 } // namespace asperity::geometry

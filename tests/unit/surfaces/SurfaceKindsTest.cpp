@@ -1,3 +1,4 @@
+#include "Plugins.hpp"
 #include "SurfaceSamples.hpp"
 
 #include "surfaces/files/SurfaceFormat.hpp"
@@ -6,6 +7,9 @@
 #include "surfaces/kinds/SurfaceKinds.hpp"
 
 #include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <string>
 
 using namespace asperity;
 using namespace asperity::geometry;
@@ -62,6 +66,16 @@ TEST_F(SurfaceKinds, AreRegisteredWithTheirFormats)
             (Names{"GOCAD TSurf", "OBJ", "OFF", "PLY", "STL"}));
   EXPECT_EQ(GridFormatRegistry::instance().names(),
             (Names{"ESRI ascii", "SRTM", "netCDF", "points"}));
+}
+
+// A plugin that registers none of these is refused, and so is a name that is taken.
+TEST_F(SurfaceKinds, CountForPlugins)
+{
+  const auto all = registrations();
+  for (std::string const name : {"mesh format 'Gmsh'", "surface format 'OFF'", "grid format 'SRTM'",
+                                 "kind of surface 'Plane'"}) {
+    EXPECT_EQ(std::count(all.begin(), all.end(), name), 1) << name;
+  }
 }
 
 TEST_F(SurfaceKinds, EntryForAFile)
