@@ -2,6 +2,7 @@
 
 #include "base/NearestName.hpp"
 #include "parameters/ParameterValue.hpp"
+#include "parameters/RangeText.hpp"
 
 #include <stdexcept>
 
@@ -65,7 +66,7 @@ void join(ParameterEntry& first, ParameterEntry const& second, std::string const
   auto both = rcp(new ParameterInfo(*one));
   both->range = one->range.intersection(two->range);
   if (both->range.isEmpty()) {
-    refusePair(path, "one in " + one->range.text() + ", one in " + two->range.text() +
+    refusePair(path, "one in " + textOf(one->range) + ", one in " + textOf(two->range) +
                        ": no number is in both.");
   }
   first.setValidator(both);

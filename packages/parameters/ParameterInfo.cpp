@@ -3,6 +3,7 @@
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
 #include "parameters/ParameterValue.hpp"
+#include "parameters/RangeText.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -42,7 +43,7 @@ bool isOfKind(ParameterEntry const& entry, ParameterKind kind)
 
 std::string ParameterInfo::rangeText() const
 {
-  return isDimensionless() ? range.text() : range.text() + " " + unit;
+  return isDimensionless() ? textOf(range) : textOf(range) + " " + unit;
 }
 
 std::string ParameterInfo::allowed() const

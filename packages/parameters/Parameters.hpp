@@ -2,7 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "parameters/DefaultOr.hpp"
-#include "parameters/Range.hpp"
+#include "registry/Range.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>

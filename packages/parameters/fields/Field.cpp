@@ -4,6 +4,7 @@
 #include "base/Text.hpp"
 #include "parameters/ParameterInfo.hpp"
 #include "parameters/ParameterValue.hpp"
+#include "parameters/RangeText.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ Field::Part Field::makePart(Teuchos::ParameterEntry const& entry, std::string co
                                 << ", but a number or an expression is wanted.");
   part.value = *number;
   ASPERITY_REQUIRE(range_.contains(part.value), path << " = " << formatNumber(part.value)
-                                                     << " is outside " << range_.text() << "."
+                                                     << " is outside " << textOf(range_) << "."
                                                      << nextSentence(hint_));
   return part;
 }
@@ -117,7 +118,7 @@ double Field::evaluate(Part const& part, std::array<double, 3> const& x, double 
   ASPERITY_REQUIRE(range_.contains(value),
                    part.path << " = '" << excerpt(part.expression->text()) << "' is "
                              << formatNumber(value) << " at " << positionText(x, t) << ", outside "
-                             << range_.text() << "." << nextSentence(hint_));
+                             << textOf(range_) << "." << nextSentence(hint_));
   return value;
 }
 
@@ -129,8 +130,8 @@ std::vector<double> Field::values(std::vector<long long> const& global_ids,
   for (std::size_t i = 0; i < values.size(); ++i) {
     ASPERITY_REQUIRE(range_.contains(values[i]),
                      path_ << " = '" << dataset_->name() << "' is " << formatNumber(values[i])
-                           << " at vertex " << global_ids[i] << ", outside " << range_.text() << "."
-                           << nextSentence(hint_));
+                           << " at vertex " << global_ids[i] << ", outside " << textOf(range_)
+                           << "." << nextSentence(hint_));
   }
   return values;
 }
