@@ -3,7 +3,6 @@
 import math
 import os
 import pathlib
-import re
 import shutil
 import subprocess
 import unittest
@@ -20,7 +19,6 @@ COMPILER = os.environ["ASPERITY_COMPILER"]
 BUILD = os.environ["ASPERITY_BUILD_DIR"]
 PREFIX = pathlib.Path("moved").absolute()
 PLUGIN = pathlib.Path("build/libviscous.so")
-SURFACES = pathlib.Path("build/libgts.so")
 # Entries that the manual does not have, since the plugin adds them.
 OF_PLUGIN = ("Time Stepping/Growing Steps/Steps of a Size", "Bulk/Elastic Range",
              "Bulk/Hardening Modulus", "Friction/Dilating Gouge/Enabled",
@@ -129,6 +127,15 @@ class Installation(unittest.TestCase):
         study = call(PREFIX / "bin/asperity-study",
                      PREFIX / "share/asperity/examples/study/thesis.xml", "--list")
         self.assertEqual(len(study.splitlines()), 18)
+
+    def test_has_what_a_format_of_surfaces_needs(self):
+        """tests/unit/mesh/asperity_mesh_plugin_test.py reads files of the format."""
+        program, plugin = PREFIX / "bin" / "asperity-mesh", pathlib.Path("build/libgts.so")
+        if not program.exists():
+            self.skipTest("this build has no asperity-mesh")
+        parameters = [program, "build", "--print-parameters"]
+        self.assertIn("GTS (.gts)", call(*parameters, "--plugin", plugin))
+        self.assertNotIn("GTS", call(*parameters))
 
     def test_names_no_folder_of_the_build(self):
         for path in (PREFIX / "lib").rglob("*.cmake"):
@@ -469,61 +476,6 @@ class Parameters(unittest.TestCase):
                             "parameter of Law =", "Law = Regularised")
         self.assert_refused([*deck, "Output/Fault History/Fields={theta}"], "theta")
         self.assert_refused([DECK, "--validate"], "is not one of", "--plugin")
-
-
-# A rectangle of two triangles, 20 km by 11 km: in GTS its edges stand between vertices and faces.
-CORNERS = "-10 0 1\n10 0 1\n10 0 -10\n-10 0 -10\n"
-GTS = (f"4 5 2 GtsSurface GtsFace GtsEdge GtsVertex\n{CORNERS}"
-       "1 2\n2 3\n3 1\n3 4\n4 1\n1 2 3\n3 4 5\n")
-OFF = f"OFF\n4 2 0\n{CORNERS}3 0 1 2\n3 0 2 3\n"
-
-
-class Surfaces(unittest.TestCase):
-    """A format of surfaces for asperity-mesh, which is there where Asperity was built with Gmsh."""
-    def setUp(self):
-        self.program = PREFIX / "bin" / "asperity-mesh"
-        if not self.program.exists():
-            self.skipTest("this build has no asperity-mesh")
-
-    def build(self, *words):
-        return subprocess.run([self.program, "build", *words], capture_output=True, text=True,
-                              check=False)
-
-    def dry(self, file, *words):
-        return self.build("--fault", f"main={file},units=km", "--size", "3km", "--largest", "10km",
-                          "--margin", "15km", "--depth", "25km", "--dry", *words)
-
-    def forecast(self, file, *words):
-        """What `build --dry` says of the model, without the seconds."""
-        result = self.dry(file, *words)
-        self.assertTrue(result.returncode == 0 or "CGAL" in result.stderr, result.stderr)
-        self.assertIn("read 1 fault; ", result.stdout)
-        return re.sub(r"(?m)^ *[\d.]+ s  ", "", result.stdout), result.stderr
-
-    def test_are_read(self):
-        pathlib.Path("main.gts").write_text(GTS)
-        pathlib.Path("main.off").write_text(OFF)
-        self.assertEqual(self.forecast("main.gts", "--plugin", SURFACES),
-                         self.forecast("main.off"))
-
-    def test_are_in_the_list_of_parameters(self):
-        listed = self.build("--print-parameters", "--plugin", SURFACES).stdout
-        self.assertIn("GTS (.gts)", listed)
-        self.assertNotIn("GTS", self.build("--print-parameters").stdout)
-
-    def test_are_refused_with_one_message(self):
-        pathlib.Path("cut.gts").write_text(GTS[:-len("3 4 5\n")])
-        pathlib.Path("open.gts").write_text(GTS.replace("3 4 5", "2 4 5"))
-        pathlib.Path("wild.gts").write_text(GTS.replace("3 4 5", "3 4 6"))
-        for file, pieces, plugins in (
-                ("cut.gts", ["'cut.gts'", "before all faces"], ["--plugin", SURFACES]),
-                ("open.gts", ["'open.gts', line 12", "three edges"], ["--plugin", SURFACES]),
-                ("wild.gts", ["line 12", "edge 6 is outside [1, 5]"], ["--plugin", SURFACES]),
-                ("cut.gts", ["registers nothing here"], 2 * ["--plugin", SURFACES])):
-            result = self.dry(file, *plugins)
-            self.assertEqual(result.returncode, runs.INPUT, result.stderr)
-            for piece in pieces:
-                self.assertIn(piece, result.stderr)
 
 
 class Loading(unittest.TestCase):

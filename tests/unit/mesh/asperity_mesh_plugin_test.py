@@ -1,9 +1,10 @@
-"""asperity-mesh --plugin: the format of examples/plugin/TriangleMesh.cpp.
+"""asperity-mesh --plugin: the formats of examples/plugin/TriangleMesh.cpp and GtsSurface.cpp.
 
-Arguments: asperity-mesh, the library.
+Arguments: asperity-mesh, the two libraries.
 """
 
 import pathlib
+import re
 import sys
 import unittest
 
@@ -11,11 +12,16 @@ import h5py
 import mesh_tool
 import numpy
 
-PLUGIN = sys.argv.pop(1)
+PLUGIN, SURFACES = sys.argv.pop(1), sys.argv.pop(1)
 # Two squares, each of two triangles, with a fault between them; numbers begin with 1.
 NODES = "6 2 0 0\n1 0 0\n2 1 0\n3 2 0\n4 0 1 # a comment\n5 1 1\n6 2 1\n"
 TRIANGLES = "4 3 1\n1 1 2 5 7\n2 1 5 4 7\n3 2 3 6 8\n4 2 6 5 8\n"
 EDGES = "5 1\n1 1 2 1\n2 2 3 1\n3 2 5 3\n4 1 5 0\n5 4 5 4\n"
+# A rectangle of two triangles, 20 km by 11 km; GTS has edges between vertices and faces.
+CORNERS = "-10 0 1\n10 0 1\n10 0 -10\n-10 0 -10\n"
+GTS = (f"4 5 2 GtsSurface GtsFace GtsEdge GtsVertex\n{CORNERS}"
+       "1 2\n2 3\n3 1\n3 4\n4 1\n1 2 3\n3 4 5\n")
+OFF = f"OFF\n4 2 0\n{CORNERS}3 0 1 2\n3 0 2 3\n"
 
 
 def write(nodes=NODES, triangles=TRIANGLES, edges=EDGES):
@@ -59,6 +65,41 @@ class Plugin(mesh_tool.Case):
         pathlib.Path("two.node").unlink()
         self.assert_refused([*plugin, "convert", "two.ele", "a.h5"], "two.node")
         self.assertFalse(pathlib.Path("a.h5").exists())
+
+
+class Surfaces(mesh_tool.Case):
+    def dry(self, file):
+        return ["build", "--fault", f"main={file},units=km", "--size", "3km", "--largest", "10km",
+                "--margin", "15km", "--depth", "25km", "--dry"]
+
+    def forecast(self, file, *words):
+        """What `build --dry` says of the model, without the seconds."""
+        result = mesh_tool.run(*self.dry(file), *words)
+        self.assertTrue(result.returncode == 0 or "without CGAL" in result.stderr, result.stderr)
+        self.assertIn("read 1 fault; ", result.stdout)
+        return re.sub(r"(?m)^ *[\d.]+ s  ", "", result.stdout), result.stderr
+
+    def test_are_those_of_another_format(self):
+        pathlib.Path("main.gts").write_text(GTS)
+        pathlib.Path("main.off").write_text(OFF)
+        self.assertEqual(self.forecast("main.gts", "--plugin", SURFACES), self.forecast("main.off"))
+
+    def test_are_in_the_list_of_parameters(self):
+        parameters = ["build", "--print-parameters"]
+        self.assertIn("GTS (.gts)", self.assert_done(*parameters, "--plugin", SURFACES))
+        self.assertNotIn("GTS", self.assert_done(*parameters))
+
+    def test_one_message(self):
+        plugin = ["--plugin", SURFACES]
+        for text, *pieces in (
+                (GTS[:-len("3 4 5\n")], "'bad.gts'", "before all faces"),
+                (GTS.replace("3 4 5", "2 4 5"), "'bad.gts', line 12", "three edges"),
+                (GTS.replace("3 4 5", "3 4 6"), "line 12", "edge 6 is outside [1, 5]"),
+                (GTS.replace("4 1\n", "4 5\n"), "line 10", "vertex 5 is outside [1, 4]"),
+                ("# nothing\n", "empty")):
+            pathlib.Path("bad.gts").write_text(text)
+            self.assert_refused([*self.dry("bad.gts"), *plugin], *pieces)
+        self.assert_refused([*plugin, *plugin, "--help"], "registers nothing here")
 
 
 if __name__ == "__main__":
