@@ -11,12 +11,10 @@
 #include <ostream>
 #include <vector>
 
+namespace asperity::bench
+{
 namespace
 {
-using asperity::Communicator;
-using asperity::ParameterList;
-using asperity::RCP;
-
 const std::vector<BenchCommand> commands = {
   {"steps", " --steps N",
    "    The first N accepted steps of a deck, without outputs: what a coupled step costs, in\n"
@@ -54,7 +52,7 @@ std::string names()
   return text;
 }
 
-void declare(asperity::Options& options, BenchArguments& arguments, std::string& steps)
+void declare(Options& options, BenchArguments& arguments, std::string& steps)
 {
   options.value("--steps", steps, "N", "steps: the number of accepted steps")
     .values("--set", arguments.deck.overrides, "\"PATH=value\"", "change the deck")
@@ -69,9 +67,9 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
 {
   BenchArguments arguments;
   std::string steps;
-  asperity::Options options;
+  Options options;
   declare(options, arguments, steps);
-  auto const words = options.parse(asperity::wordsOf(argc, argv));
+  auto const words = options.parse(wordsOf(argc, argv));
   if (arguments.help) {
     return arguments;
   }
@@ -90,7 +88,7 @@ BenchArguments parseBenchArguments(int argc, char const* const* argv)
     return arguments;
   }
   ASPERITY_REQUIRE(!steps.empty(), "--steps is needed, e.g. --steps 20.");
-  auto const number = asperity::readInteger(steps);
+  auto const number = readInteger(steps);
   ASPERITY_REQUIRE(number && *number >= 1 && *number <= 1000000,
                    "--steps " << steps << " is not a whole number of steps from 1 to 1e6.");
   arguments.num_steps = *number;
@@ -101,7 +99,7 @@ void printBenchHelp(std::ostream& out)
 {
   BenchArguments arguments;
   std::string steps;
-  asperity::Options options;
+  Options options;
   declare(options, arguments, steps);
   out << "asperity-bench measures what the solver costs, and what a mesh does to a fault.\n\n";
   for (auto const& command : commands) {
@@ -111,3 +109,4 @@ void printBenchHelp(std::ostream& out)
   out << options.help()
       << "\nExit status: 0 done, 2 the input is at fault; others as for asperity.\n";
 }
+} // namespace asperity::bench

@@ -9,6 +9,8 @@
 #include <iosfwd>
 #include <string>
 
+namespace asperity::bench
+{
 struct BenchArguments;
 
 // A row of the table of commands in BenchArguments.cpp.
@@ -17,14 +19,14 @@ struct BenchCommand
   std::string name, arguments, meaning; // as --help prints them
   bool counts_steps;                    // takes --steps, and needs it
   // `deck` is complete. Collective.
-  Report (*measure)(asperity::ParameterList const& deck, BenchArguments const& arguments,
-                    asperity::RCP<const asperity::Communicator> const& communicator);
+  Report (*measure)(ParameterList const& deck, BenchArguments const& arguments,
+                    RCP<const Communicator> const& communicator);
 };
 
 struct BenchArguments
 {
   BenchCommand const* command = nullptr; // none for --help
-  asperity::CommandLine deck;            // the deck, its overrides and plugins
+  CommandLine deck;                      // the deck, its overrides and plugins
   int num_steps = 0;                     // with --steps
   std::string output;                    // file for the numbers, "" for none
   bool help = false;
@@ -35,3 +37,4 @@ struct BenchArguments
 BenchArguments parseBenchArguments(int argc, char const* const* argv);
 
 void printBenchHelp(std::ostream& out);
+} // namespace asperity::bench

@@ -1,7 +1,7 @@
 #include "BenchKernels.hpp"
 
-using namespace asperity;
-
+namespace asperity::bench
+{
 void addTriad(NodeView const& a, NodeView const& b, NodeView const& c)
 {
   Kokkos::parallel_for(
@@ -15,3 +15,4 @@ void addForce(ConstNodeView const& curvature, double v, BlockView const& r)
     "asperity::bench::force", RangePolicy(0, r.extent_int(0)),
     KOKKOS_LAMBDA(int node) { r(node, 0) += curvature(node) * v; });
 }
+} // namespace asperity::bench

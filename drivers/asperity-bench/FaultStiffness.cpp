@@ -12,8 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace asperity;
-
+namespace asperity::bench
+{
 namespace
 {
 using Problem = scenario::Problem<2>;
@@ -107,3 +107,4 @@ FaultStiffness stiffnessOfFault(ParameterList const& deck,
     rock.shear_modulus / (problem.components() == 1 ? 1 : 1 - rock.poissonsRatio());
   return result;
 }
+} // namespace asperity::bench

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace asperity::bench
+{
 // How slip stresses a fault in the plane whose body is in equilibrium (the condensed stiffness of
 // the mesh), at the nodes where friction decides on slip, from the one that lies highest. Traction
 // counts along slip, so that it is negative where slip releases it.
@@ -22,5 +24,6 @@ struct FaultStiffness
 };
 
 // `deck` must be complete, in the plane, with a fault whose two sides deform; one rank.
-FaultStiffness stiffnessOfFault(asperity::ParameterList const& deck,
-                                asperity::RCP<const asperity::Communicator> const& communicator);
+FaultStiffness stiffnessOfFault(ParameterList const& deck,
+                                RCP<const Communicator> const& communicator);
+} // namespace asperity::bench

@@ -28,8 +28,8 @@
 #include <string>
 #include <vector>
 
-using namespace asperity;
-
+namespace asperity::bench
+{
 namespace
 {
 constexpr double real = sizeof(double), single = sizeof(float), index = sizeof(int);
@@ -314,3 +314,4 @@ Report measureKernels(ParameterList const& deck, RCP<const Communicator> const& 
                          : kernelsOf<3>(deck, communicator);
   return {tableOf(kernels), jsonOf(kernels)};
 }
+} // namespace asperity::bench

@@ -3,6 +3,8 @@
 #include <chrono>
 #include <string>
 
+namespace asperity::bench
+{
 // What a command has measured: a table to read, and a file for programs (--output).
 struct Report
 {
@@ -15,3 +17,4 @@ inline double wallSeconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+} // namespace asperity::bench

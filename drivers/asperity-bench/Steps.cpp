@@ -15,8 +15,8 @@
 #include <iomanip>
 #include <sstream>
 
-using namespace asperity;
-
+namespace asperity::bench
+{
 namespace
 {
 // CPU time of this process [s]: unlike wall time, it hardly sees other work on the machine.
@@ -160,3 +160,4 @@ Report measureSteps(ParameterList const& deck, int num_steps,
                       : costOf<3>(deck, num_steps, communicator);
   return {tableOf(cost) + tableOfWork(*communicator), jsonOf(cost)};
 }
+} // namespace asperity::bench

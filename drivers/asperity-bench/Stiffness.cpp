@@ -11,6 +11,8 @@
 #include <iomanip>
 #include <sstream>
 
+namespace asperity::bench
+{
 namespace
 {
 // Slip cos(kx) exp(-(kx/5)^2/2) at a distance x from the middle of the window, and its traction in
@@ -114,13 +116,13 @@ Report reportOf(PlaneStiffness const& stiffness)
 }
 } // namespace
 
-Report measureStiffness(asperity::ParameterList const& deck,
-                        asperity::RCP<const asperity::Communicator> const& communicator)
+Report measureStiffness(ParameterList const& deck, RCP<const Communicator> const& communicator)
 {
   ASPERITY_REQUIRE(communicator->getSize() == 1, "asperity-bench stiffness runs on one rank.");
-  if (asperity::scenario::meshDimension(deck.sublist("Mesh"), *communicator) == 3) {
+  if (scenario::meshDimension(deck.sublist("Mesh"), *communicator) == 3) {
     return reportOf(stiffnessOfPlane(deck, communicator));
   }
   auto const stiffness = stiffnessOfFault(deck, communicator);
   return {tableOf(stiffness), rowsOf(stiffness)};
 }
+} // namespace asperity::bench

@@ -12,8 +12,8 @@
 #include <array>
 #include <cmath>
 
-using namespace asperity;
-
+namespace asperity::bench
+{
 namespace
 {
 using ProblemInSpace = scenario::Problem<3>;
@@ -220,3 +220,4 @@ PlaneStiffness stiffnessOfPlane(ParameterList const& deck,
   }
   return result;
 }
+} // namespace asperity::bench

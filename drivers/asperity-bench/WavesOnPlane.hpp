@@ -5,6 +5,8 @@
 
 #include <vector>
 
+namespace asperity::bench
+{
 // How stiff the mesh of a deck makes a plane fault in space, measured at its middle by slip
 //   s(x) = cos(k e.x) exp(-|x|^2 / (2 w^2)),   w = 3 / k,
 // along a wave vector k e of the plane or across it: the elastic energy of the body in equilibrium,
@@ -28,5 +30,6 @@ struct PlaneStiffness
 
 // `deck` must be complete, in space, with one plane fault that is a boundary of the body; one rank.
 // The rock is that of the middle; the body should be a few waves thick.
-PlaneStiffness stiffnessOfPlane(asperity::ParameterList const& deck,
-                                asperity::RCP<const asperity::Communicator> const& communicator);
+PlaneStiffness stiffnessOfPlane(ParameterList const& deck,
+                                RCP<const Communicator> const& communicator);
+} // namespace asperity::bench

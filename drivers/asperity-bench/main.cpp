@@ -30,11 +30,11 @@ int main(int argc, char** argv)
     *communicator,
     [&] {
       // 2. Read the command line.
-      auto const arguments = parseBenchArguments(argc, argv);
+      auto const arguments = asperity::bench::parseBenchArguments(argc, argv);
       const bool is_root = communicator->getRank() == 0;
       if (arguments.help) {
         if (is_root) {
-          printBenchHelp(std::cout);
+          asperity::bench::printBenchHelp(std::cout);
         }
         return int(asperity::exit_done);
       }
