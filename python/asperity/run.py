@@ -1,13 +1,12 @@
 """The results of a run in its directory; each file is opened when a figure needs it."""
 
-import math
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 
-from . import catalogue
+from . import catalogue, wedge
 from .errors import InputError, NoStepYet
 from .h5file import H5File
 from .history import History
@@ -64,8 +63,8 @@ class Run:
                                              start))
 
     def readable(self, *names: str) -> "Run":
-        """The same run without those of the files (all of READ_AS) that cannot be read, for who
-        shows what there is: a full disk or a crash leaves empty and cut files. `damage` tells what
+        """The same run without those of the files (all of READ_AS) that cannot be read, to
+        show what there is: a full disk or a crash leaves empty and cut files. `damage` tells what
         is wrong with them."""
         run = self.reloaded()
         for name in names or READ_AS:
@@ -160,41 +159,15 @@ class Run:
         """Slip rate [m/s] from which on the catalogue calls the fault seismic."""
         return float(self.parameters["Output/Event Catalogue/Threshold"])
 
-    @property
-    def is_wedge(self) -> bool:
-        return self.parameters.text("Mesh/Type") == "Wedge"
-
-    @property
-    def dip(self) -> Optional[float]:
-        """Angle th [rad] between base and surface of the wedge."""
-        height = self.parameters.number("Mesh/Wedge/Height")
-        length = self.parameters.number("Mesh/Wedge/Length")
-        if not self.is_wedge or height is None or not length:
-            return None
-        return math.atan2(height, length)
-
-    @property
-    def seismogenic_zones(self) -> List[Tuple[float, float]]:
-        """Positions [m] along the base between which the wedge weakens with the slip rate, and the
-        further intervals with small cells, which are for patches that weaken; in order.
-
-        The deck measures the zone's end along the surface, its width along the base.
-        """
-        end = self.parameters.number("Mesh/Wedge/Seismogenic Zone End")
-        width = self.parameters.number("Mesh/Wedge/Seismogenic Zone Width")
-        if self.dip is None or end is None or width is None:
-            return []
-        end /= math.cos(self.dip)
-        more = self.parameters.numbers("Mesh/Wedge/Refined Intervals")
-        return sorted([(end - width, end), *zip(more[::2], more[1::2])])
-
     def upwards(self, dimension: int) -> np.ndarray:
-        """Unit vector against gravity in mesh coordinates: from the deck, or +y without one."""
+        """Unit vector against gravity in mesh coordinates: from the deck, or off the surface of a
+        wedge in the plane, or +y."""
         gravity = _gravity(self.parameters)
         if gravity is not None and gravity.size >= dimension:
             return -gravity[:dimension] / np.linalg.norm(gravity[:dimension])
-        if self.dip is not None and dimension == 2:
-            return np.array([-math.sin(self.dip), math.cos(self.dip)])
+        off_surface = wedge.upwards(self.parameters)
+        if off_surface is not None and dimension == 2:
+            return off_surface
         up = np.zeros(dimension)
         up[1 if dimension > 1 else 0] = 1.0
         return up

@@ -5,6 +5,7 @@ from typing import List, Tuple
 
 import numpy as np
 
+from asperity import wedge
 from asperity.catalogue import LEVEL
 from asperity.h5file import H5File
 from asperity.history import positions
@@ -104,7 +105,7 @@ def _axis(run: Run, file: H5File, place: str, curve: slice, parts, begin: float)
     """Of the nodes `curve`, the first of which is at the position `begin` [m]."""
     where = positions(file)[curve]
     name, origin, is_downwards = f"Position along the {place}", -begin, False
-    if run.is_wedge:
+    if wedge.is_wedge(run.parameters):
         name = f"Distance from the trench along the {'base' if place == 'fault' else 'surface'}"
     elif file.has("geometry/coordinates"):
         nodes = file.array("geometry/coordinates")[curve]

@@ -5,7 +5,7 @@ from typing import Optional, Tuple
 
 import numpy as np
 
-from asperity import durations
+from asperity import durations, wedge
 from asperity.history import History
 from asperity.run import Run
 from asperity.tables import Table
@@ -42,12 +42,13 @@ def sign(fault: History) -> float:
 
 def label(run: Run, unit: units.Unit) -> str:
     """Of an axis of slip; on the wedge the tangent points away from the trench."""
-    trenchward = run.is_wedge and sign(run.fault) < 0.0
+    trenchward = wedge.is_wedge(run.parameters) and sign(run.fault) < 0.0
     return f"{'Trenchward slip' if trenchward else 'Slip'} [{unit.name}]"
 
 
 def title(run: Run) -> str:
-    return f"Cumulative slip on the {'base of the wedge' if run.is_wedge else 'fault'}"
+    place = "base of the wedge" if wedge.is_wedge(run.parameters) else "fault"
+    return f"Cumulative slip on the {place}"
 
 
 def family(fault: History, times: np.ndarray, interval: float) -> Family:

@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import Normalize
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from asperity import wedge
 from asperity.run import Run
 
 from . import along, maps, raster, style
@@ -40,7 +41,7 @@ def draw(run: Run, view: View):
     bar.set_label("Slip rate V [m/s]")
     if lines is not None:
         bar.ax.hlines(lines, 0.0, 1.0, color="white", linewidth=0.7)
-    style.title(figure, "Slip rate on the base of the wedge" if run.is_wedge
+    style.title(figure, "Slip rate on the base of the wedge" if wedge.is_wedge(run.parameters)
                 else "Slip rate on the fault")
     return figure
 

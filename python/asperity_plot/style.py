@@ -14,6 +14,7 @@ from matplotlib.colors import Normalize  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 
+from asperity import wedge  # noqa: E402
 from asperity.errors import InputError  # noqa: E402
 from asperity.run import Run  # noqa: E402
 
@@ -107,7 +108,7 @@ def bar_beside(axes: Axes, picture):
 def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> None:
     """The limits of seismogenic zones as dashed lines, their name beside the right edge."""
     across = axes.get_yaxis_transform()
-    for zone in run.seismogenic_zones:
+    for zone in wedge.seismogenic_zones(run.parameters):
         low, high = along(zone)
         for position in (low, high):
             axes.axhline(position, color=colour, linewidth=0.9, linestyle=(0, (5, 4)))
@@ -120,13 +121,13 @@ def mark_zone(axes: Axes, run: Run, along: Axis, colour: str, label: bool) -> No
 
 def _name(run: Run, zone) -> str:
     """What stands beside one of several zones: the long name beside the widest alone."""
-    widest = max(run.seismogenic_zones, key=lambda each: each[1] - each[0])
+    widest = max(wedge.seismogenic_zones(run.parameters), key=lambda each: each[1] - each[0])
     return "seismogenic zone" if zone == widest else ""
 
 
 def shade_zone(axes: Axes, run: Run, along: Axis) -> None:
     """Seismogenic zones as grey bands over the horizontal axis, with their name above."""
-    for zone in run.seismogenic_zones:
+    for zone in wedge.seismogenic_zones(run.parameters):
         low, high = along(zone)
         axes.axvspan(low, high, color="#eeeeee", zorder=0)
         axes.text(0.5 * (low + high), 1.01, _name(run, zone), ha="center", va="bottom",

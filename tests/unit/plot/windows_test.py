@@ -3,6 +3,7 @@
 import numpy as np
 
 import synthetic_run
+from asperity import wedge
 from asperity_plot import windows
 from asperity.errors import InputError
 from asperity.parameters import Parameters
@@ -85,12 +86,12 @@ class Windows(FolderCase):
     def test_the_wedge(self):
         run = self.run_with("", synthetic_run.PARAMETERS)
         end = 0.35 * np.sqrt(1.0 + 0.27**2)
-        np.testing.assert_allclose(run.seismogenic_zones, [(end - 0.2, end)])
+        np.testing.assert_allclose(wedge.seismogenic_zones(run.parameters), [(end - 0.2, end)])
         further = '<Parameter name="Refined Intervals" type="Array(double)" ' \
                   'value="{0.6, 0.7, 0.05, 0.1}"/>\n'
         mark = '<ParameterList name="Wedge">\n'
         run = self.run_with("", synthetic_run.PARAMETERS.replace(mark, mark + further))
-        np.testing.assert_allclose(run.seismogenic_zones,
+        np.testing.assert_allclose(wedge.seismogenic_zones(run.parameters),
                                    [(0.05, 0.1), (end - 0.2, end), (0.6, 0.7)])
 
     def test_up_is_against_gravity_or_off_the_surface_of_the_wedge_or_y(self):
@@ -104,7 +105,7 @@ class Windows(FolderCase):
                '</ParameterList></ParameterList>'
         run = self.run_with("", deck)
         np.testing.assert_allclose(run.upwards(2), (-0.6, 0.8))
-        self.assertEqual(run.seismogenic_zones, [])
+        self.assertEqual(wedge.seismogenic_zones(run.parameters), [])
         (self.folder / "parameters.xml").unlink()
         np.testing.assert_allclose(Run(self.folder).upwards(3), (0.0, 1.0, 0.0))
 
