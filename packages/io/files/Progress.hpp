@@ -16,7 +16,7 @@ struct Progress
   double peak_slip_rate = 0; // [m/s]
   std::int64_t step = 0;
   int fixed_point_iterations = 0;
-  std::optional<std::int64_t> num_events; // if an output counts them
+  std::optional<std::int64_t> num_events; // Output::numEvents, if an output counts them
   double wall_time = 0;                   // [s]
   std::optional<TimeLeft::Estimate> left;
 };
