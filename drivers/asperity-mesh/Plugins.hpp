@@ -5,10 +5,10 @@
 
 namespace asperity::geometry
 {
-// All that a library may add to this program: formats of meshes (formats/MeshFormat.hpp), surfaces
-// (surfaces/files/SurfaceFormat.hpp) and grids (surfaces/grids/GridFormat.hpp), and kinds of surface
-// (surfaces/kinds/SurfaceKind.hpp), as "mesh format 'Gmsh'". A name that is registered twice occurs
-// twice.
+// What there is of all that a library may add: formats of meshes (formats/MeshFormat.hpp), of
+// surfaces (surfaces/files/SurfaceFormat.hpp) and of grids (surfaces/grids/GridFormat.hpp), and
+// kinds of surface (surfaces/kinds/SurfaceKind.hpp), as "mesh format 'Gmsh'". A name that is
+// registered twice occurs twice.
 std::vector<std::string> registrations();
 
 // Takes out every --plugin FILE of the words, loads these libraries, and returns the other words.

@@ -97,7 +97,7 @@ Lists parametersWith(bool has_ground)
             "Selects the axes of the mesh: with z, x points to the east, y to the north and z up, "
             "as in all files and formulas here; with y, x to the east, y up and z to the south.")
     .real("Tolerance", optional, "m", Range::positive(),
-          "Refuses a mesh with a facet whose centre is farther from the given fault.")
+          "Refuses a mesh with a facet whose centre is farther than this from the given fault.")
     .fileName("Deck", "",
               "Names a deck of asperity that is to use the mesh, to report unknowns, memory and "
               "cells in the cohesive zone before the mesh is made.");

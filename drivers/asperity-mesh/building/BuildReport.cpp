@@ -177,7 +177,7 @@ std::string about(double value)
 void report(CellEstimate const& expected, std::ostream& out)
 {
   out << "expected: about " << about(expected.cells) << " cells, " << about(expected.vertices)
-      << " vertices, good to a factor of " << estimate_factor << std::endl;
+      << " vertices, accurate to a factor of " << estimate_factor << std::endl;
 }
 
 void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out)

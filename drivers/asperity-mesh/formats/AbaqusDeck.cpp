@@ -149,7 +149,7 @@ private:
     const auto number = file_.integer(0);
     if (!deck_.nodes.emplace(number, Point<3>{file_.number(1), file_.number(2), z}).second) {
       file_.fail("node " + std::to_string(number) +
-                 " is given a second time. Merge the parts of the assembly into one.");
+                 " is given twice. Merge the parts of the assembly into one.");
     }
   }
 
@@ -172,7 +172,7 @@ private:
     }
     if (!deck_.elements.emplace(number, std::move(element)).second) {
       file_.fail("element " + std::to_string(number) +
-                 " is given a second time. Merge the parts of the assembly into one.");
+                 " is given twice. Merge the parts of the assembly into one.");
     }
   }
 

@@ -61,7 +61,7 @@ public:
   VtkGrid grid()
   {
     if (line().rfind("# vtk DataFile Version", 0) != 0) {
-      fail("'# vtk DataFile Version' is expected at the begin");
+      fail("'# vtk DataFile Version' is expected at the beginning");
     }
     line(); // title
     const auto form = lower(trimmed(line()));

@@ -109,10 +109,10 @@ private:
       return std::find(known.begin(), known.end(), name) != known.end();
     };
     if (!array.empty()) {
-      ASPERITY_REQUIRE(has(array), "Option " << array_option << " " << array << ": " << where_
-                                             << " has no such cell data with whole numbers, only "
-                                             << quotedNames(known) << '.'
-                                             << didYouMean(array, known));
+      ASPERITY_REQUIRE(has(array), "Option "
+                                     << array_option << " " << array << ": " << where_
+                                     << " has no such array of cell data with whole numbers, only "
+                                     << quotedNames(known) << '.' << didYouMean(array, known));
       return grid_.cell_data.at(array);
     }
     for (auto const* name : usual) {
@@ -120,9 +120,10 @@ private:
         return grid_.cell_data.at(name);
       }
     }
-    ASPERITY_REQUIRE(known.size() <= 1, where_ << " has several cell data with whole numbers, "
-                                               << quotedNames(known)
-                                               << ". Give --array NAME for those of the groups.");
+    ASPERITY_REQUIRE(known.size() <= 1, where_
+                                          << " has several arrays of cell data with whole numbers, "
+                                          << quotedNames(known)
+                                          << ". Give --array NAME for those of the groups.");
     return known.empty() ? std::vector<double>() : grid_.cell_data.at(known.front());
   }
 

@@ -60,8 +60,8 @@ public:
   VtkGrid finished()
   {
     if (num_shared_ == 0) {
-      warn(where_ + ": no point of one of its " + std::to_string(num_pieces_) +
-           " pieces is at the place of one of another piece. The body is in pieces, too.");
+      warn(where_ + ": no two of its " + std::to_string(num_pieces_) +
+           " pieces have a point in common. The body is in pieces, too.");
     } else {
       std::cout << num_pieces_ << " pieces are put together at " << num_shared_
                 << " points that they share\n";

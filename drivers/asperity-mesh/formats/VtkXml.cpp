@@ -68,7 +68,7 @@ VtkXml::VtkXml(std::string const& file_name, std::string const& type)
     }
   }
   require(is_of_type && is_whole,
-          "is no whole file of VTK's type " + type + ": it is cut or of another type");
+          "is not a complete file of VTK's type " + type + ": it is cut or of another type");
 }
 
 void VtkXml::require(bool condition, std::string const& message) const

@@ -28,8 +28,8 @@ struct CellEstimate
 };
 
 // From the integral of 1 / size^3 over the body, under a flat ground of its mean height, and of
-// 1 / size^2 over the faults; good to a factor of `estimate_factor` (docs/first_model/your_fault.md
-// has measured ones).
+// 1 / size^2 over the faults; accurate to a factor of `estimate_factor`
+// (docs/first_model/your_fault.md has measured ones).
 CellEstimate expectedCells(Complex const& complex, Model const& model, CellSize const& size);
 constexpr double estimate_factor = 1.5;
 } // namespace asperity::geometry

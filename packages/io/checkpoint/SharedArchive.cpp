@@ -100,7 +100,7 @@ std::size_t componentsOf(std::string const& path, std::size_t size, NodeOrder co
   onEveryRank(comm, [&] {
     if (size != order.blocks.numOwned() * static_cast<std::size_t>(components)) {
       throw std::logic_error("asperity::io: values of '" + path +
-                             "' are not equally many at each node");
+                             "' are not the same number at each node");
     }
   });
   return static_cast<std::size_t>(components);

@@ -257,7 +257,7 @@ class Abaqus(Case):
         for old, new, piece in (
                 ("*Node, nset=all", "*Include, input=nodes.inp", "*INCLUDE is not followed"),
                 ("type=C3D8R", "type=ROTARYI", "'ROTARYI'"),
-                ("\n1, 0, 0, 0", "\n2, 0, 0, 0", "node 2 is given a second time"),
+                ("\n1, 0, 0, 0", "\n2, 0, 0, 0", "node 2 is given twice"),
                 ("\n1, 0, 0, 0", "\n1, 0, 0, nan", "'nan'"),
                 ("\n1, 0, 0, 0", "", "has node 1, which is not there"),
                 ("name=fault\n", "name=fault\nnone, S1\n", "'none', which is neither"),
@@ -390,7 +390,7 @@ CELL_TYPES 2
         good = other_formats.vtu(brick(), "binary", compressed=True)
         self.refuse("a.vtu", good[:len(good) // 2])
         self.refuse("a.vtu", good.replace(b'type="UnstructuredGrid"', b'type="PolyData"'),
-                    "no whole file of VTK's type UnstructuredGrid")
+                    "not a complete file of VTK's type UnstructuredGrid")
         self.refuse("a.vtu", good.replace(b"vtkZLib", b"vtkLZ4"), "vtkLZ4DataCompressor")
         self.refuse("a.vtu", other_formats.vtu(brick()).replace(b"Piece", b"Peace"), "no piece")
 

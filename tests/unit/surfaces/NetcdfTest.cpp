@@ -175,7 +175,8 @@ TEST_F(Netcdf, ClassicGridByCf)
   EXPECT_EQ(data.grid(-127, 40), 15);
   EXPECT_TRUE(std::isnan(data.grid.z(2, 0)));
   test::expectRefusal([&] { readGrid(file_name); }, {"several grids: 'depth', 'a'", "Variable"});
-  test::expectRefusal([&] { readGrid(file_name, "lon"); }, {"'lon'", "no grid of two dimensions"});
+  test::expectRefusal([&] { readGrid(file_name, "lon"); },
+                      {"'lon'", "not a grid of two dimensions"});
 }
 
 TEST_F(Netcdf, ClassicThatIsDamagedIsRefusedAndTakesNoMemory)
@@ -234,7 +235,7 @@ TEST_F(Netcdf, OfHdf5)
 }
 
 // Cut files, and each byte around the tables of groups, around attributes, which are texts of
-// variable length, and at the begin of the heap with these texts: a grid or a message with the
+// variable length, and at the beginning of the heap with these texts: a grid or a message with the
 // file's name. HDF5 1.10.8 crashes on some of these files.
 TEST_F(Netcdf, OfHdf5ThatIsDamaged)
 {

@@ -33,7 +33,7 @@ double unitOf(std::string const& word, TextFile const& file)
     {"m", 1.}, {"M", 1.}, {"km", 1000.}, {"KM", 1000.}, {"ft", 0.3048}, {"feet", 0.3048}};
   const auto found = units.find(word);
   if (found == units.end()) {
-    file.fail("AXIS_UNIT '" + word + "' is no known length; these are m, km and ft.");
+    file.fail("AXIS_UNIT '" + word + "' is not a known unit of length; known are m, km and ft.");
   }
   return found->second;
 }
@@ -173,7 +173,7 @@ private:
   {
     const auto number = file_.integer(1);
     if (!numbers_.emplace(number, static_cast<int>(part_.surface.points.size())).second) {
-      file_.fail("vertex " + std::to_string(number) + " is defined for the second time.");
+      file_.fail("vertex " + std::to_string(number) + " is defined twice.");
     }
     part_.surface.points.push_back(point);
   }

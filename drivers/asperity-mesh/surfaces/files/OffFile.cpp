@@ -36,7 +36,7 @@ std::vector<SurfacePart> readOff(std::string const& file_name)
   requireLine(file, "counts");
   const std::string key(file.word(0));
   if (key != "OFF" && key != "COFF" && key != "NOFF" && key != "CNOFF") {
-    file.fail("'OFF' is expected at the begin.");
+    file.fail("'OFF' is expected at the beginning.");
   }
   const std::size_t at = file.words().size() > 1 ? 1 : 0; // counts may follow on the first line
   if (at == 0) {

@@ -84,7 +84,7 @@ private:
     const double number = value(name);
     ASPERITY_REQUIRE(number >= 2 && number <= 1e9 && number == std::floor(number),
                      file_.where() << ": " << name << " = " << formatNumber(number)
-                                   << " is no whole number from 2 on.");
+                                   << " is not a whole number of at least 2.");
     return static_cast<std::size_t>(number);
   }
 

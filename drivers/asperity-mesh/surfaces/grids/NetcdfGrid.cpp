@@ -88,7 +88,7 @@ public:
     const bool is_turned = fast == Axis::y && slow == Axis::x;
     ASPERITY_REQUIRE(is_turned || (fast == Axis::x && slow == Axis::y),
                      where_ << " has the axes '" << first.name << "' and '" << last.name
-                            << "', of which it is not known which one is x and which one is y. "
+                            << "', and nothing says which one is x and which one is y. "
                                "Give them CF's attribute standard_name or axis.");
     auto const& x = is_turned ? first : last;
     auto const& y = is_turned ? last : first;
@@ -114,7 +114,7 @@ private:
     if (!name.empty()) {
       auto const& wanted = file_->variable(name);
       ASPERITY_REQUIRE(isPlane(wanted), file_->where() << ": variable '" << name
-                                                       << "' is no grid of two dimensions.");
+                                                       << "' is not a grid of two dimensions.");
       return wanted;
     }
     std::vector<std::string> names;

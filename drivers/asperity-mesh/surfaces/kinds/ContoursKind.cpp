@@ -23,7 +23,7 @@ Teuchos::RCP<const ParameterList> contoursEntries()
     .real(lower_depth, optional, "m", Range::any(),
           "The surface ends at z = -Lower Depth; without this entry at the deepest contour.")
     .real("Spacing", 0., "m", Range::atLeast(0),
-          "Points along strike have about this distance; 0 makes it that of the contours.");
+          "Points along strike have about this spacing; 0 makes it that of the contours.");
   declareExtendUp(declare, true);
   return Units::declare(declare).list();
 }

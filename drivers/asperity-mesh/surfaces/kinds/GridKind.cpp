@@ -35,7 +35,7 @@ Teuchos::RCP<const ParameterList> gridEntries()
             "Says whether values are positive upward (Elevation) or downward (Depth); a file that "
             "does not tell it has elevations.")
     .real("Step", 0., "m", Range::atLeast(0),
-          "Points of the ground have this distance; points of a fault have at least this distance. "
+          "Points of the ground have this spacing; points of a fault have at least this spacing. "
           "0 makes it that of the grid.")
     .choice("Outside", "Refuse", {"Refuse", "Clamp"},
             "Says what the ground is outside of the grid: an error, or as high as at the nearest "

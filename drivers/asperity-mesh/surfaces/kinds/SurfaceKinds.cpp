@@ -38,7 +38,7 @@ Declare& declareSurface(Declare& declare)
   auto const& kinds = SurfaceKindRegistry::instance();
   declare.choice(type_name, required, kinds.names(),
                  "Selects how the surface is given; without this entry the one that names its "
-                 "source says so: " +
+                 "source selects it: " +
                    quotedAlternatives(allSources()) + ".");
   for (auto const& name : kinds.names()) {
     declare.entriesWith(type_name, name, kinds.at(name).entries());

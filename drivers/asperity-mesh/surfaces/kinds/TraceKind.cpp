@@ -45,7 +45,7 @@ Teuchos::RCP<const ParameterList> traceEntries()
     .real(upper_depth, optional, "m", Range::any(),
           "The upper edge lies at z = -Upper Depth, on the surface through the trace.")
     .real("Spacing", 0., "m", Range::atLeast(0),
-          "Points of the surface have at most this distance; 0 makes it a tenth of the width down "
+          "Points of the surface have at most this spacing; 0 makes it a tenth of the width down "
           "dip.");
   declareExtendUp(declare, true);
   return Units::declare(declare).list();
