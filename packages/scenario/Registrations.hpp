@@ -5,7 +5,8 @@
 
 namespace asperity::scenario
 {
-// All registered laws, outputs and kinds of fault: "friction law 'Truncated'", "state law
-// 'Slip'", "output 'Global'", ... A name that is registered twice occurs twice.
+// What is registered in all registries of which a deck may use an object (Registrations.cpp lists
+// them): "friction law 'Truncated'", "watch 'ring_watch'", "output 'Global'", ... A name that is
+// registered twice occurs twice.
 std::vector<std::string> registrations();
 } // namespace asperity::scenario

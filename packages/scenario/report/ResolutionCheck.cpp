@@ -196,7 +196,7 @@ std::vector<Warning> warnOfResolution(dynamics::FaultResolution const& resolutio
   if (creeps_if_short && dynamics::isTooShort(resolution, needed)) {
     warnings.push_back(
       {"nucleation length",
-       std::string(has_formula ? "the nucleation length" : "the shortest length that is unstable") +
+       std::string(has_formula ? "The nucleation length" : "The shortest length that is unstable") +
          ", " + rounded(needed) + " m, is more than twice the part of the fault that weakens, " +
          rounded(resolution.weakening_length) +
          " m: this part is likely to creep without earthquakes. Check L, a, b, Normal Stress "
