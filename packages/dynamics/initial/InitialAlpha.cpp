@@ -17,7 +17,7 @@ using Where = std::function<std::string(int)>;
 
 // The coefficients of friction(num_nodes) that balance the traction at the slip rates V, nan where
 // V = 0.
-std::vector<double> balancingCoefficients(Fault const& fault, FaultAtStart const& start,
+std::vector<double> balancingCoefficients(Fault const& fault, GivenAtStart const& start,
                                           std::vector<double> const& V, Where const& where)
 {
   auto const w = toHost(start.w);
@@ -68,7 +68,7 @@ std::string howToSlip(fem::FaultSurface const& surface, int node)
 }
 } // namespace
 
-NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
+NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, GivenAtStart const& start,
                       Where const& where)
 {
   auto const alpha = toDevice(start.given_alpha, "asperity::dynamics::alpha");

@@ -15,8 +15,8 @@ enum class AlphaAtStart
   stress_balance
 };
 
-// What acts on a fault at the start, at its nodes.
-struct FaultAtStart
+// What decides on alpha at the start, at the nodes of a fault.
+struct GivenAtStart
 {
   std::vector<double> given_alpha; // (num_nodes)
   std::vector<double> traction;    // (num_nodes, T) that drives the body along the tangents [Pa]
@@ -31,6 +31,6 @@ struct FaultAtStart
 // Where the velocity is prescribed and the slip rate is zero, friction is never evaluated and alpha
 // is given_alpha. Throws InputError if there is no such state at a node; where(node) begins the
 // message.
-NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, FaultAtStart const& start,
+NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, GivenAtStart const& start,
                       std::function<std::string(int)> const& where);
 } // namespace asperity::dynamics

@@ -2,8 +2,8 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
+#include "dynamics/initial/InitialAcceleration.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
-#include "dynamics/initial/InitialState.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/InitialSetup.hpp"

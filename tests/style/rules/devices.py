@@ -33,7 +33,7 @@ HOST = {
     "packages/dynamics/observables/FaultSample.cpp": "the nodes of the fault, for outputs",
     "packages/dynamics/initial/FoundationPressure.cpp": "set-up",
     "packages/dynamics/initial/InitialAlpha.cpp": "set-up",
-    "packages/dynamics/initial/InitialState.cpp": "set-up",
+    "packages/dynamics/initial/InitialAcceleration.cpp": "set-up",
     "packages/dynamics/observables/LockedResponse.cpp": "set-up",
     "packages/dynamics/fault/NormalReaction.cpp": "set-up: rows of the matrices",
     "packages/dynamics/condensation/CondensedModel.cpp": "set-up of the condensed model",

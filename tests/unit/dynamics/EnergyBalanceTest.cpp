@@ -1,6 +1,6 @@
 #include "dynamics/observables/EnergyBalance.hpp"
 
-#include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/InitialAcceleration.hpp"
 #include "dynamics/initial/StaticSolver.hpp"
 #include "unit/dynamics/QuasiDynamicModel.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"

@@ -1,4 +1,4 @@
-#include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/InitialAcceleration.hpp"
 #include "dynamics/initial/InitialAlpha.hpp"
 #include "dynamics/initial/StaticSolver.hpp"
 
@@ -210,7 +210,7 @@ struct SlidingFault
   const Model model{options(), alone()};
   RCP<Vector> v = model.body.vector();
   const BlockView w{"asperity::test::w", static_cast<std::size_t>(model.surface->numNodes()), 1};
-  FaultAtStart start;
+  GivenAtStart start;
 };
 } // namespace
 

@@ -1,5 +1,5 @@
 #include "dynamics/control/PrescribedSteps.hpp"
-#include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/InitialAcceleration.hpp"
 #include "dynamics/observables/EnergyBalance.hpp"
 #include "unit/dynamics/SlidingBlock.hpp"
 

@@ -1,4 +1,4 @@
-#include "dynamics/initial/InitialState.hpp"
+#include "dynamics/initial/InitialAcceleration.hpp"
 
 #include "base/Errors.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
