@@ -20,6 +20,8 @@ public:
       .integer("Steps of a Size", 10, Range::atLeast(1), "Steps before the size is doubled.")
       .list();
   }
+  // The size of the steps to come follows from what it remembers and from this entry.
+  static bool mayChange(std::string const& entry) { return entry == "Steps of a Size"; }
   static std::string meaning() { return "steps begin with the smallest and grow."; }
 
   GrowingSteps(Teuchos::ParameterList const& parameters, ControlContext const& context)
@@ -34,7 +36,7 @@ public:
   AcceptedStep advance(State& current, SolveCount& count) override
   {
     auto const accepted = makeStep(current, level_, count);
-    if (++made_ == steps_of_a_size_) {
+    if (++made_ >= steps_of_a_size_) { // more than that where a restart has made it smaller
       made_ = 0;
       level_ = std::max(level_ - 1, 0);
     }

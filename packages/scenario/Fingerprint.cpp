@@ -2,6 +2,7 @@
 
 #include "base/Hashes.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "dynamics/control/StepControlKind.hpp"
 #include "dynamics/watches/Watch.hpp"
 #include "io/checkpoint/MeshChecksum.hpp"
 #include "parameters/fields/VertexDataset.hpp"
@@ -121,8 +122,15 @@ io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
       time.remove(entry.first, false);
     }
   }
-  for (auto const* control : {"Step Doubling", "Richardson"}) {
-    time.remove(control, false); // tolerance, norm, and the first step, which has been made
+  auto const& controls = dynamics::StepControlRegistry::instance();
+  for (auto const& name : controls.names()) {
+    auto const& control = controls.at(name);
+    auto const declared = control.validParameters();
+    for (auto const& entry : *declared) {
+      if (time.isSublist(name) && control.mayChange(entry.first)) {
+        time.sublist(name).remove(entry.first, false);
+      }
+    }
   }
   Collection<Dim> collection(mesh, communicator);
   collection.add(relevant, "Asperity");

@@ -26,7 +26,7 @@ Entries<AdaptiveSettings> richardsonEntries()
   defaults.norm = Norm::maximum;
   Entries<AdaptiveSettings> result(defaults);
   result
-    .real("Tolerance", &AdaptiveSettings::tolerance, "-", Range::open(0, 1),
+    .real(RichardsonControl::toleranceEntry(), &AdaptiveSettings::tolerance, "-", Range::open(0, 1),
           "A pair of steps is accepted if its estimated error is at most this: in alpha, and in "
           "all else on a scale on which it matters as much. The estimate follows from the "
           "difference to one step of twice the size, and for waves from accelerations.")

@@ -24,6 +24,9 @@ class RichardsonControl final : public StepControl
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning();
+  // A restart may change all: they decide on the steps to come alone.
+  static bool mayChange(std::string const&) { return true; }
+  static std::string toleranceEntry() { return "Tolerance"; }
 
   // Throws InputError where no step is twice as large as another.
   RichardsonControl(Teuchos::ParameterList const& parameters, ControlContext const& context);

@@ -10,7 +10,7 @@ Entries<AdaptiveSettings> doublingEntries()
 {
   Entries<AdaptiveSettings> result;
   result.real(
-    "Tolerance", &AdaptiveSettings::tolerance, "-", Range::open(0, 1),
+    StepDoubling::toleranceEntry(), &AdaptiveSettings::tolerance, "-", Range::open(0, 1),
     "A step is accepted if alpha, and all else on a scale on which it matters as much, differs by "
     "at most this between one step and two of half its size, as root mean square over the fault.");
   return addCommonEntries(result, "The first trial step has this size; 0 means the smallest step.");

@@ -13,6 +13,9 @@ class StepDoubling final : public StepControl
 public:
   static Teuchos::RCP<const Teuchos::ParameterList> validParameters();
   static std::string meaning();
+  // A restart may change all: they decide on the steps to come alone.
+  static bool mayChange(std::string const&) { return true; }
+  static std::string toleranceEntry() { return "Tolerance"; }
 
   StepDoubling(ControlContext const& context, AdaptiveSettings const& settings);
   StepDoubling(Teuchos::ParameterList const& parameters, ControlContext const& context);

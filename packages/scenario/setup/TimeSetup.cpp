@@ -108,9 +108,10 @@ TimeSettings TimeSettings::from(ParameterList const& list)
   settings.names_largest_step = !list.getEntry(largest_name).isDefault();
   settings.scheme_list = list.sublist(settings.scheme);
   settings.control_list = list.sublist(settings.control);
-  constexpr char const* name = "Tolerance";
-  if (settings.control_list.isType<double>(name)) {
-    settings.tolerance = settings.control_list.get<double>(name);
+  settings.tolerance_entry =
+    dynamics::StepControlRegistry::instance().at(settings.control).toleranceEntry();
+  if (!settings.tolerance_entry.empty()) {
+    settings.tolerance = settings.control_list.get<double>(settings.tolerance_entry);
   }
   return settings;
 }

@@ -26,6 +26,7 @@ struct TimeSettings
   std::optional<double> smallest_step; // [s]
   std::string control = "Step Doubling";
   ParameterList scheme_list, control_list; // the lists of the chosen scheme and control
+  std::string tolerance_entry;             // of that list; "" if the control has no tolerance
   double tolerance = 0;                    // of the control; 0 if it has none
 
   static TimeSettings from(ParameterList const& list);

@@ -302,6 +302,9 @@ TEST(DeckReader, FingerprintsWhatARestartMustNotChange)
     const auto tolerance = "Time Stepping/" + control + "/Tolerance=1e-3";
     EXPECT_EQ(io::difference(of({chosen}), of({chosen, tolerance})), "") << control;
   }
+  const std::string prescribed = "Time Stepping/Control=Prescribed";
+  EXPECT_NE(
+    io::difference(of({prescribed}), of({prescribed, "Time Stepping/Prescribed/Levels={1}"})), "");
   for (char const* change : {"Friction/a=0.010000000000000002", "Friction/State Evolution=Slip",
                              "Mesh/Rectangle/Width=3", "Bulk/Density=1000*(1+0*x)",
                              "Boundary Conditions/Left/Type=Fixed", "Initial State/alpha=1",
