@@ -2,13 +2,12 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "scenario/report/ModelSize.hpp"
 #include "scenario/run/Evolution.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
-
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <ctime>
@@ -21,14 +20,6 @@ namespace
 {
 // CPU time of this process [s]: unlike wall time, it hardly sees other work on the machine.
 double cpuSeconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-// The largest memory that this process has used.
-double peakBytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024. * static_cast<double>(usage.ru_maxrss);
-}
 
 struct Cost
 {
@@ -105,7 +96,7 @@ Cost costOf(ParameterList const& deck, int num_steps, RCP<const Communicator> co
   cost.seconds -= cost.setup_seconds;
   cost.wall_seconds -= summary.setup_seconds;
   cost.product_seconds = product.mean();
-  cost.peak_bytes = sumOverRanks(peakBytes(), *communicator);
+  cost.peak_bytes = sumOverRanks(scenario::peakBytes(), *communicator);
   return cost;
 }
 

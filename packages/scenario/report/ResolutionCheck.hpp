@@ -10,11 +10,6 @@
 
 namespace asperity::scenario
 {
-// Lines about size: cells, vertices and unknowns; the diameters of cells as they are; the memory of
-// the model as built, and an estimate of that of the solver. Collective.
-template <int Dim>
-std::vector<std::string> describeSize(Problem<Dim> const& problem);
-
 // Lines for the log. They have the nucleation length where a formula gives it for the state law
 // (StateLawProperties::nucleation_source), or else the shortest wavelength that grows. mesh_type:
 // `Mesh / Type`.

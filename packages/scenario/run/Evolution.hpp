@@ -9,7 +9,7 @@
 #include "scenario/fields/FloorCount.hpp"
 #include "scenario/fields/RunView.hpp"
 #include "scenario/problem/Problem.hpp"
-#include "scenario/report/RunReport.hpp"
+#include "scenario/report/RunSummary.hpp"
 
 #include <memory>
 #include <optional>

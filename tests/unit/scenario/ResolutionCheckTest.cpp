@@ -4,7 +4,6 @@
 #include "scenario/report/RunReport.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace asperity::scenario
 {
@@ -303,21 +302,6 @@ TEST(ResolutionCheck, KnowsHowStiffBricksAre)
   // Squares in plane strain, 24 cells for a wave: 3.9 %.
   EXPECT_NEAR(dynamics::stiffnessError(2, 1, 24).along.value(), 0.039, 0.2 * 0.039);
   EXPECT_FALSE(dynamics::stiffnessError(2, 1, 24).across);
-}
-
-TEST(RunReport, WarnsOfABalanceThatDoesNotClose)
-{
-  const auto warns = [](double defect, double elastic = 1) {
-    dynamics::Energy energy{};
-    energy.friction_work = 1;
-    energy.elastic = elastic;
-    energy.defect = defect;
-    return warnOfDefect(energy).has_value();
-  };
-  EXPECT_TRUE(warns(-2e-3));
-  EXPECT_FALSE(warns(5e-4));
-  EXPECT_FALSE(warns(2e-3, 1e7)); // rounding
-  EXPECT_TRUE(warns(std::numeric_limits<double>::quiet_NaN()));
 }
 
 TEST(RunReport, WarnsOfALooseTolerance)

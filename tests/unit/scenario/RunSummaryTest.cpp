@@ -1,12 +1,14 @@
-#include "scenario/report/RunReport.hpp"
+#include "scenario/report/RunSummary.hpp"
 
 #include "SampleDeck.hpp"
+
+#include <limits>
 
 namespace asperity::scenario
 {
 using namespace test;
 
-TEST(RunReport, PrintsABalanceThatAddsUp)
+TEST(RunSummary, PrintsABalanceThatAddsUp)
 {
   RunSummary summary;
   auto& energy = summary.energy;
@@ -24,5 +26,20 @@ TEST(RunReport, PrintsABalanceThatAddsUp)
                "friction 64, viscosity 8 and the time stepping 2",
                "change of kinetic and elastic energy 46.5",
                "defect of the balance of 0.5 (0.0078"});
+}
+
+TEST(RunSummary, WarnsOfABalanceThatDoesNotClose)
+{
+  const auto warns = [](double defect, double elastic = 1) {
+    dynamics::Energy energy{};
+    energy.friction_work = 1;
+    energy.elastic = elastic;
+    energy.defect = defect;
+    return warnOfDefect(energy).has_value();
+  };
+  EXPECT_TRUE(warns(-2e-3));
+  EXPECT_FALSE(warns(5e-4));
+  EXPECT_FALSE(warns(2e-3, 1e7)); // rounding
+  EXPECT_TRUE(warns(std::numeric_limits<double>::quiet_NaN()));
 }
 } // namespace asperity::scenario
