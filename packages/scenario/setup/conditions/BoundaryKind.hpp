@@ -23,6 +23,9 @@ namespace asperity::scenario
 //   ASPERITY_REGISTER(BoundaryKindRegistry, "Elastic Foundation",
 //                     BoundaryKindOf<ElasticFoundation>)
 //
+// All types share one list of entries. So a name that another type has is refused, and entries are
+// `optional`: a default would stand in the conditions of all other types, too.
+//
 // `add` reads the entries (ConditionEntries.hpp) and adds what the condition contributes: to
 // result.velocities a condition on the velocity (fem::VelocityCondition), to result.tractions a
 // load (fem::BoundaryTraction), to result.resistances dashpots or springs

@@ -7,6 +7,7 @@
 #include "scenario/setup/conditions/FaultKind.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace asperity::scenario
 {
@@ -168,16 +169,42 @@ BoundaryCondition::BoundaryCondition(std::string const& path, ParameterList cons
   direction = common.direction;
 }
 
-RCP<const ParameterList> boundaryParameters()
+namespace
 {
-  auto one_condition = commonEntries();
+// Of the registered types, which share one list: no entry may have two meanings.
+void addEntriesOfTypes(ParameterList& list)
+{
+  std::map<std::string, std::string> owners;
   auto const& registry = BoundaryKindRegistry::instance();
-  for (auto const& name : registry.names()) {
-    if (auto const& declare = registry.at(name).declare) {
-      declare(one_condition.others());
+  for (auto const& type : registry.names()) {
+    auto const& declare = registry.at(type).declare;
+    if (!declare) {
+      continue;
+    }
+    Declare own;
+    declare(own);
+    for (auto const& item : *own.list()) {
+      auto const& entry = item.first;
+      auto const owner = owners.find(entry);
+      ASPERITY_REQUIRE(!list.isParameter(entry),
+                       joinPath("Asperity / Boundary Conditions / <condition>", entry)
+                         << (owner == owners.end()
+                               ? " belongs to all types"
+                               : " belongs to the boundary condition '" + owner->second + "'")
+                         << ", and the boundary condition '" << type
+                         << "' declares it again. All types share one list of entries: give it "
+                            "another name in the plugin.");
+      owners[entry] = type;
+      list.setEntry(entry, item.second);
     }
   }
-  auto const one = one_condition.list();
+}
+} // namespace
+
+RCP<const ParameterList> boundaryParameters()
+{
+  auto const one = commonEntries().list();
+  addEntriesOfTypes(*one);
   return Declare()
     .sublist("<condition>", one, "Describes one boundary condition; choose any name.")
     .list();

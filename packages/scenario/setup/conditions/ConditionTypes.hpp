@@ -86,7 +86,8 @@ struct BoundaryCondition
   bool isFaultInside() const { return type->isFault() && type->other_side.is_inside; }
 };
 
-// The deck's list `Boundary Conditions`: one sublist, of any name, for each condition.
+// The deck's list `Boundary Conditions`: one sublist, of any name, for each condition. InputError
+// if two types declare an entry of one name.
 RCP<const ParameterList> boundaryParameters();
 
 // The boundary conditions of the completed list, in the order of the deck.
