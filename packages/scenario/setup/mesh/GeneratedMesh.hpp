@@ -10,7 +10,7 @@
 namespace asperity::scenario
 {
 // A value of the entry `Mesh / Type` for a body that is meshed here, as the rest of the program
-// sees it. GeneratedMesh.cpp has a row for each, with the function that makes it.
+// sees it. Generators.hpp has one for each, with the function that makes it.
 struct GeneratedMesh
 {
   std::string name;
