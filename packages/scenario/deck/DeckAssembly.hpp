@@ -16,7 +16,8 @@ struct GivenDeck
 };
 
 // The deck that the command line names, as the user gives it: overlays, removals and overrides are
-// applied, and the files that it names are found. Throws InputError if that fails.
+// applied. Files that entries name, by their declaration (Declare::fileName) or as a dataset, are
+// looked for beside the deck, too. Throws InputError if that fails.
 GivenDeck deckAsGiven(CommandLine const& command_line, ParameterList const& valid);
 
 // Replaces the deck's names by their values, checks and completes it by the declarations `valid`.

@@ -10,6 +10,7 @@
 #include "friction/laws/AgeingLaw.hpp"
 #include "io/Output.hpp"
 #include "scenario/Fingerprint.hpp"
+#include "scenario/deck/DeckAssembly.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
 
 #include <Teuchos_DefaultComm.hpp>
@@ -235,6 +236,43 @@ TEST(DeckReader, AppliesOverlaysThenOverrides)
   EXPECT_EQ(friction.get<double>("b"), 0.04);
   EXPECT_EQ(friction.get<double>("Delay"), 3);
   EXPECT_EQ(friction.get<double>("L"), 1e-5);
+}
+
+// Whatever their names are: in a list, in an open list, and with a word of a choice.
+TEST(DeckReader, FindsTheFilesThatEntriesAreDeclaredToNameBesideTheDeck)
+{
+  const auto file = Declare().fileName("Table File", required, "The table.").list();
+  const auto valid =
+    Declare()
+      .sublist("Own", file, "A list.")
+      .openSublist("Open", Declare().sublist("<each>", file, "One.").list(), "Some.")
+      .choice("Law", "Plain", {"Plain", "Tabulated"}, "The law.")
+      .entriesWith("Law", "Tabulated", file)
+      .text("Title", "", "No file.")
+      .list();
+  const TemporaryDirectory directory;
+  const auto table = directory.write("table.txt", "");
+  CommandLine line;
+  line.deck = directory.write("deck.xml", R"(<ParameterList name="Asperity">
+    <ParameterList name="Own">
+      <Parameter name="Table File" type="string" value="table.txt"/>
+    </ParameterList>
+    <ParameterList name="Open">
+      <ParameterList name="Mine">
+        <Parameter name="Table File" type="string" value="table.txt"/>
+      </ParameterList>
+    </ParameterList>
+    <Parameter name="Law" type="string" value="Tabulated"/>
+    <Parameter name="Table File" type="string" value="table.txt"/>
+    <Parameter name="Title" type="string" value="table.txt"/>
+    <Parameter name="File Name" type="string" value="table.txt"/>
+  </ParameterList>)");
+  const auto deck = deckAsGiven(line, *valid).list;
+  EXPECT_EQ(deck->sublist("Own").get<std::string>("Table File"), table);
+  EXPECT_EQ(deck->sublist("Open").sublist("Mine").get<std::string>("Table File"), table);
+  EXPECT_EQ(deck->get<std::string>("Table File"), table);
+  EXPECT_EQ(deck->get<std::string>("Title"), "table.txt");
+  EXPECT_EQ(deck->get<std::string>("File Name"), "table.txt") << "not declared";
 }
 
 TEST(DeckReader, ChoosesASchemeThatNeedsNoInertia)
