@@ -18,7 +18,7 @@
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
-#include "scenario/setup/friction/LawSetup.hpp"
+#include "scenario/setup/friction/LawsAtNodes.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 #include "scenario/setup/rock/RockSetup.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
@@ -97,9 +97,10 @@ frictionAt(std::vector<std::array<double, 3>> const& places, ParameterList const
            scenario::FrictionSettings const& settings)
 {
   const auto nodes = nodesAt(places);
-  const auto sensitivity = scenario::sensitivities(settings.laws, friction, nodes);
-  const auto drop = scenario::strengthDrops(settings.laws, friction, nodes);
-  const auto slip_distance = scenario::slipDistances(settings.laws, friction, nodes);
+  const scenario::LawsAtNodes laws(settings.laws, friction, nodes);
+  const auto sensitivity = laws.sensitivities();
+  const auto drop = laws.strengthDrops();
+  const auto slip_distance = laws.slipDistances();
   if ((!sensitivity && !drop) || !slip_distance) {
     return std::nullopt;
   }

@@ -1,6 +1,5 @@
 #include "scenario/fields/BodyFields.hpp"
 
-#include "catalogue/stress/CoulombPlanes.hpp"
 #include "catalogue/stress/StressFields.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 
@@ -112,7 +111,7 @@ void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
 
 template <int Dim>
 void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-                    Domains const& domains, ParameterList const& output)
+                    Domains const& domains, std::map<std::string, fem::CoulombPlane> const& planes)
 {
   auto const observe = [&problem, &view](std::vector<int> const& vertices, bool are_few) {
     constexpr bool with_ghosts = true;
@@ -137,7 +136,6 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
                                           problem.model.body.cells
                                             ? problem.model.body.cells->history()
                                             : std::vector<fem::HistoryColumns>()};
-  auto const planes = catalogue::coulombPlanes(output, Dim);
   for (auto const& [name, domain] : domains) {
     if (name != "fault") {
       catalogue::registerStressFields(registry, domain, body, planes);
@@ -149,7 +147,7 @@ void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
   template void registerMotion(io::FieldRegistry&, Problem<Dim> const&, RunView const&,            \
                                io::OutputDomain const&);                                           \
   template void registerStress(io::FieldRegistry&, Problem<Dim> const&, RunView const&,            \
-                               Domains const&, ParameterList const&);
+                               Domains const&, std::map<std::string, fem::CoulombPlane> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

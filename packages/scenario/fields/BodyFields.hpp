@@ -1,8 +1,12 @@
 #pragma once
 
+#include "fem/stress/CoulombPlane.hpp"
 #include "io/FieldRegistry.hpp"
 #include "scenario/fields/Domains.hpp"
 #include "scenario/fields/RunView.hpp"
+
+#include <map>
+#include <string>
 
 namespace asperity::scenario
 {
@@ -13,9 +17,9 @@ template <int Dim>
 void registerMotion(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
                     io::OutputDomain const& domain);
 
-// Registers stress, strain and the Coulomb stress changes on the planes of `output`, the deck's
-// list, in the volume and on the surface.
+// Registers stress, strain and the Coulomb stress changes on these planes, in the volume and on the
+// surface.
 template <int Dim>
 void registerStress(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-                    Domains const& domains, ParameterList const& output);
+                    Domains const& domains, std::map<std::string, fem::CoulombPlane> const& planes);
 } // namespace asperity::scenario

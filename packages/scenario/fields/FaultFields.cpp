@@ -1,8 +1,6 @@
 #include "scenario/fields/FaultFields.hpp"
 
 #include "dynamics/FaultProcess.hpp"
-#include "scenario/setup/FaultNodes.hpp"
-#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <cmath>
 
@@ -18,6 +16,7 @@ using dynamics::FaultSample;
 struct GivenFriction
 {
   bool has_state, has_normal_stress;
+  std::string state_variable; // of the law
 };
 
 void registerSample(io::FieldRegistry& registry, RunView const& view, GivenFriction const& given)
@@ -40,7 +39,8 @@ void registerSample(io::FieldRegistry& registry, RunView const& view, GivenFrict
     {"traction", "Pa", "Shear traction that friction bears," + direction, components,
      &FaultSample::traction}};
   if (given.has_state) {
-    quantities.push_back({"alpha", "", "State ln(theta V* / L).", 1, &FaultSample::alpha});
+    quantities.push_back(
+      {"alpha", "", "State: " + given.state_variable + ".", 1, &FaultSample::alpha});
   }
   if (given.has_normal_stress) {
     quantities.push_back({"normal_stress", "Pa", "Normal stress, positive in compression.", 1,
@@ -113,13 +113,10 @@ void registerFaultConstants(io::FieldRegistry& registry, Problem<Dim> const& pro
 // theta, for state laws that declare how it follows from alpha, and psi, for friction laws that
 // depend on it.
 template <int Dim>
-void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view,
-                   ParameterList const& friction)
+void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, RunView const& view)
 {
-  auto const nodes = faultNodes(problem.mesh(), problem.surface());
-  auto const& laws = problem.settings.friction.laws;
-  auto const reference = referenceFriction(laws, friction, nodes);
-  auto const effects = sensitivities(laws, friction, nodes);
+  auto const reference = problem.laws.referenceFriction();
+  auto const effects = problem.laws.sensitivities();
   if (reference && effects) {
     registry.add(
       io::OutputField{"psi", "", "State psi = mu* + b alpha.", "fault", 1,
@@ -130,7 +127,7 @@ void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
                         }
                       }});
   }
-  if (auto const scale = thetaScales(laws, friction, nodes)) {
+  if (auto const scale = problem.laws.thetaScales()) {
     registry.add(io::OutputField{"theta", "s", "State variable.", "fault", 1,
                                  [&view, scale = *scale](Values& values) {
                                    values = view.fault->alpha();
@@ -144,19 +141,19 @@ void registerState(io::FieldRegistry& registry, Problem<Dim> const& problem, Run
 
 template <int Dim>
 void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& problem,
-                         RunView const& view, ParameterList const& friction)
+                         RunView const& view)
 {
+  auto const& laws = problem.laws.laws();
   registerSample(
     registry, view,
-    {problem.settings.friction.laws.hasState(),
-     problem.settings.friction.laws.hasFrictionLaw() || isGiven(friction, "Normal Stress")});
-  registerState(registry, problem, view, friction);
+    {laws.hasState(),
+     laws.hasFrictionLaw() || isGiven(problem.settings.lists.friction, "Normal Stress"),
+     laws.frictionLaw().state_variable});
+  registerState(registry, problem, view);
   registerAddedFields(registry, problem.model.initial, problem.model.fault, view);
   registerFaultConstants(registry, problem);
 }
 
-template void registerFaultFields(io::FieldRegistry&, Problem<2> const&, RunView const&,
-                                  ParameterList const&);
-template void registerFaultFields(io::FieldRegistry&, Problem<3> const&, RunView const&,
-                                  ParameterList const&);
+template void registerFaultFields(io::FieldRegistry&, Problem<2> const&, RunView const&);
+template void registerFaultFields(io::FieldRegistry&, Problem<3> const&, RunView const&);
 } // namespace asperity::scenario

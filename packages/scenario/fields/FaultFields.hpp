@@ -7,8 +7,8 @@
 namespace asperity::scenario
 {
 // Registers the fields on the fault: those of the state and of processes, and constant ones.
-// Problem and view must outlive the registry; `friction` is the deck's list.
+// Problem and view must outlive the registry.
 template <int Dim>
 void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& problem,
-                         RunView const& view, ParameterList const& friction);
+                         RunView const& view);
 } // namespace asperity::scenario

@@ -1,6 +1,9 @@
 #include "scenario/problem/DeckSettings.hpp"
 
+#include "io/OutputSet.hpp"
 #include "scenario/setup/DeckDirections.hpp"
+
+#include <utility>
 
 namespace asperity::scenario
 {
@@ -8,13 +11,20 @@ DeckSettings DeckSettings::from(ParameterList const& deck)
 {
   DeckLists lists{deck.sublist("Mesh"), deck.sublist("Bulk"), deck.sublist("Friction"),
                   deck.sublist("Initial State")};
-  return {TimeSettings::from(deck.sublist("Time Stepping")),
+  auto time = TimeSettings::from(deck.sublist("Time Stepping"));
+  auto const coupling = dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance);
+  auto const& output = deck.sublist("Output");
+  return {std::move(time),
+          coupling,
           readConditions(deck.sublist("Boundary Conditions")),
           BulkSettings::from(lists.bulk),
           FrictionSettings::from(lists.friction),
           InitialSettings::from(lists.initial),
           SolverSettings::from(deck.sublist("TNNMG")),
-          givenUp(deck.sublist("Output")),
+          givenUp(output),
+          catalogue::DirectionEast::from(output),
+          io::OutputSet::times(output),
+          CheckpointIntervals::from(output),
           lists};
 }
 } // namespace asperity::scenario

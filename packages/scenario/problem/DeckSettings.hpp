@@ -1,6 +1,9 @@
 #pragma once
 
+#include "catalogue/stress/CoulombPlanes.hpp"
+#include "dynamics/coupling/CouplingSettings.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/setup/CheckpointSetup.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -21,17 +24,22 @@ struct DeckLists
   ParameterList mesh, bulk, friction, initial;
 };
 
-// All that a problem takes from its deck, read once. Whatever needs a part of it takes that part
-// as an argument.
+// All that a problem and the steps of its run take from their deck, read once. Whatever needs a
+// part of it takes that part as an argument.
 struct DeckSettings
 {
   TimeSettings time;
+  dynamics::CouplingSettings coupling;
   std::vector<BoundaryCondition> conditions; // in the order of the deck
   BulkSettings bulk;
   FrictionSettings friction;
   InitialSettings initial;
   SolverSettings solver;
-  std::optional<std::vector<double>> up; // `Output / Up`, if the deck gives it
+  // Of the list `Output`:
+  std::optional<std::vector<double>> up; // `Up`, if the deck gives it
+  catalogue::DirectionEast east;
+  std::vector<double> output_times; // [s] in no order
+  CheckpointIntervals checkpoints;
   DeckLists lists;
 
   // `deck` must be complete. Throws InputError where entries of a list contradict each other.

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -207,25 +208,28 @@ FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> con
     settings.floor);
   std::vector<double> c_over_b;
   friction::TableView table;
+  std::optional<LawsAtNodes> at_nodes;
   onEveryRank(context.communicator(), [&] {
     table = stateTable(settings.laws, list);
-    c_over_b = stressSensitivities(settings.laws, list, nodes);
+    at_nodes.emplace(settings.laws, list, nodes);
+    c_over_b = at_nodes->stressSensitivities(nodes);
     requirePressure(nodes, c_over_b, stress);
   });
   dynamics::FaultLaws laws;
   laws.friction = settings.laws.friction;
-  laws.friction_parameters = frictionLawValues(settings.laws, list, nodes);
+  laws.friction_parameters = at_nodes->frictionParameters();
   laws.cohesion =
     toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion");
   laws.state = settings.laws.state;
-  laws.state_parameters = stateLawValues(settings.laws, list, nodes);
+  laws.state_parameters = at_nodes->stateParameters();
   laws.radiation_damping = site.radiation_damping;
   laws.stress_sensitivity = toDevice(c_over_b, "asperity::scenario::stressSensitivity");
   laws.processes = enabledProcesses(settings.laws, list, site,
                                     fem::makeFaultMesh(context.discretisation.mesh, *site.surface));
   laws.state_table = table;
   laws.regularisation = regularisation(context, laws.processes);
-  return {dynamics::Fault(site.surface, std::move(laws), stress), std::move(given.warnings)};
+  return {dynamics::Fault(site.surface, std::move(laws), stress), std::move(*at_nodes),
+          std::move(given.warnings)};
 }
 
 template FaultAtStart makeFault(SetupContext<2> const&, std::vector<double> const&);

@@ -3,6 +3,7 @@
 #include "base/Warning.hpp"
 #include "dynamics/fault/Fault.hpp"
 #include "scenario/problem/SetupContext.hpp"
+#include "scenario/setup/friction/LawsAtNodes.hpp"
 
 #include <vector>
 
@@ -12,6 +13,7 @@ namespace asperity::scenario
 struct FaultAtStart
 {
   dynamics::Fault fault;
+  LawsAtNodes laws;
   std::vector<Warning> warnings; // about the normal stress
 };
 

@@ -2,7 +2,6 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "friction/Registry.hpp"
-#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,14 +86,14 @@ std::vector<double> strengthOf(dynamics::Fault const& fault, bool weakens_with_s
   return strength;
 }
 
-std::optional<dynamics::FrictionOfNodes>
-frictionOfNodes(LawChoice const& laws, ParameterList const& friction, FieldNodes const& nodes,
-                dynamics::Fault const& fault, ConstNodeView const& sigma_n,
-                std::vector<double> const& driving)
+std::optional<dynamics::FrictionOfNodes> frictionOfNodes(LawsAtNodes const& laws,
+                                                         dynamics::Fault const& fault,
+                                                         ConstNodeView const& sigma_n,
+                                                         std::vector<double> const& driving)
 {
-  auto const sensitivity = sensitivities(laws, friction, nodes);
-  auto const drop = strengthDrops(laws, friction, nodes);
-  auto const slip_distance = slipDistances(laws, friction, nodes);
+  auto const sensitivity = laws.sensitivities();
+  auto const drop = laws.strengthDrops();
+  auto const slip_distance = laws.slipDistances();
   if ((!sensitivity && !drop) || !slip_distance) {
     return std::nullopt;
   }
@@ -177,13 +176,12 @@ double FaultScales::waveRate() const
 }
 
 template <int Dim>
-FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const& fault,
-                        dynamics::State const& initial, std::vector<double> const& driving)
+FaultScales faultScales(SetupContext<Dim> const& context, LawsAtNodes const& laws,
+                        dynamics::Fault const& fault, dynamics::State const& initial,
+                        std::vector<double> const& driving)
 {
   FaultScales scales;
-  auto const of_nodes =
-    frictionOfNodes(context.settings.friction.laws, context.settings.lists.friction,
-                    context.site.nodes, fault, fault.given(initial).sigma_n, driving);
+  auto const of_nodes = frictionOfNodes(laws, fault, fault.given(initial).sigma_n, driving);
   if (!of_nodes) {
     return scales;
   }
@@ -202,8 +200,9 @@ FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const&
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \
-  template FaultScales faultScales(SetupContext<DIM> const&, dynamics::Fault const&,               \
-                                   dynamics::State const&, std::vector<double> const&);
+  template FaultScales faultScales(SetupContext<DIM> const&, LawsAtNodes const&,                   \
+                                   dynamics::Fault const&, dynamics::State const&,                 \
+                                   std::vector<double> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

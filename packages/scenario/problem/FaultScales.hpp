@@ -5,6 +5,7 @@
 #include "dynamics/fault/Fault.hpp"
 #include "portability/Views.hpp"
 #include "scenario/problem/SetupContext.hpp"
+#include "scenario/setup/friction/LawsAtNodes.hpp"
 
 #include <optional>
 #include <vector>
@@ -37,8 +38,10 @@ struct FaultScales
   double waveRate() const;     // dynamics::WaveScale::slip_rate [m/s]
 };
 
-// driving(num fault nodes): the largest shear traction of the loads [Pa]. Collective.
+// laws: of the fault. driving(num fault nodes): the largest shear traction of the loads [Pa].
+// Collective.
 template <int Dim>
-FaultScales faultScales(SetupContext<Dim> const& context, dynamics::Fault const& fault,
-                        dynamics::State const& initial, std::vector<double> const& driving);
+FaultScales faultScales(SetupContext<Dim> const& context, LawsAtNodes const& laws,
+                        dynamics::Fault const& fault, dynamics::State const& initial,
+                        std::vector<double> const& driving);
 } // namespace asperity::scenario

@@ -41,7 +41,7 @@ dynamics::ReactionSinceStart reactionSinceStart(SetupContext<Dim> const& context
 template <int Dim>
 Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> const& communicator)
 {
-  // 1. What the deck says; nothing below reads it.
+  // 1. What the deck says; nothing below reads the deck.
   auto settings = DeckSettings::from(deck);
 
   // 2. The mesh with its unknowns, constraints and rock.
@@ -60,7 +60,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
 
   // 4. The fault under the normal stress at the start.
   auto const start = staticStart(context, loaded.body, *loaded.static_load);
-  auto [fault, warnings_of_stress] = makeFault(context, start.pressure);
+  auto [fault, laws, warnings_of_stress] = makeFault(context, start.pressure);
 
   // 5. The state at the start.
   auto initial =
@@ -74,7 +74,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
 
   // 6. What users should know about it.
   auto scales = model.fault.stateDecides()
-                  ? faultScales(context, model.fault, model.initial,
+                  ? faultScales(context, laws, model.fault, model.initial,
                                 loaded.traction.largest(discretisation.samples))
                   : FaultScales();
   auto findings = findingsOf(context, model, loaded.traction, start, warnings_of_stress);
@@ -83,6 +83,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
           std::move(discretisation),
           solver,
           std::move(model),
+          std::move(laws),
           std::move(site.materials),
           std::move(scales),
           std::move(findings),

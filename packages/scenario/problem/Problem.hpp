@@ -9,6 +9,7 @@
 #include "scenario/problem/Discretisation.hpp"
 #include "scenario/problem/FaultScales.hpp"
 #include "scenario/problem/Findings.hpp"
+#include "scenario/setup/friction/LawsAtNodes.hpp"
 
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Problem
   Discretisation<Dim> discretisation;
   dynamics::RateSolverSettings solver;
   dynamics::Model model;
+  LawsAtNodes laws;                           // of the fault
   std::vector<fem::Material> fault_materials; // (num fault nodes) of the body beside the fault
   FaultScales scales;
   Findings findings;

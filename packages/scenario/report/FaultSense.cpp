@@ -2,7 +2,6 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "catalogue/stress/CoulombPlanes.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "fem/constraints/PlaneTangent.hpp"
 #include "mesh/MeshQuality.hpp"
@@ -204,7 +203,7 @@ struct MeanFault
 };
 
 template <int Dim>
-MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::string const& name)
+MeanFault meanOf(Problem<Dim> const& problem, std::string const& name)
 {
   auto const& surface = problem.surface();
   auto const normal = fem::integrateNormal(problem.mesh(), {name}, *problem.communicator);
@@ -238,7 +237,7 @@ MeanFault meanOf(Problem<Dim> const& problem, ParameterList const& deck, std::st
   fault.sides.up = fault.sides.is_section ? scaled(problem.discretisation.upright.down, -1)
                    : Dim == 2 && problem.components() == 2 ? Vector3{0, 1, 0}
                                                            : problem.discretisation.upright.up;
-  auto const east = catalogue::DirectionEast::from(deck.sublist("Output")).east;
+  auto const& east = problem.settings.east.east;
   std::copy_n(east.begin(), std::min<std::size_t>(3, east.size()), fault.sides.east.begin());
   return fault;
 }
@@ -303,7 +302,7 @@ std::string describePlates(MeanFault const& fault, int dimension)
 } // namespace
 
 template <int Dim>
-std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck)
+std::vector<std::string> describeSense(Problem<Dim> const& problem)
 {
   std::vector<std::string> lines;
   auto const& upright = problem.discretisation.upright;
@@ -316,7 +315,7 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
   }
   auto const& surface = problem.surface();
   for (auto const& name : problem.discretisation.boundary.faults) {
-    auto const fault = meanOf(problem, deck, name);
+    auto const fault = meanOf(problem, name);
     if (!fault.has_sides) {
       lines.push_back("Fault '" + name + "': " + describeRing(problem) + ".");
       continue;
@@ -333,11 +332,11 @@ std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterLis
 }
 
 template <int Dim>
-bool haveOneSense(Problem<Dim> const& problem, ParameterList const& deck)
+bool haveOneSense(Problem<Dim> const& problem)
 {
   std::optional<FaultSides> first;
   for (auto const& name : problem.discretisation.boundary.faults) {
-    auto const fault = meanOf(problem, deck, name);
+    auto const fault = meanOf(problem, name);
     if (!fault.has_sides) {
       continue;
     }
@@ -352,8 +351,8 @@ bool haveOneSense(Problem<Dim> const& problem, ParameterList const& deck)
 }
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
-  template std::vector<std::string> describeSense(Problem<Dim> const&, ParameterList const&);      \
-  template bool haveOneSense(Problem<Dim> const&, ParameterList const&);
+  template std::vector<std::string> describeSense(Problem<Dim> const&);                            \
+  template bool haveOneSense(Problem<Dim> const&);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -54,10 +54,10 @@ std::string rakeInWords(FaultSides const& sides, std::array<double, 3> const& sl
 // shear traction or of prescribed slip, and one for the plates' motion along it, if the deck has
 // one. Collective.
 template <int Dim>
-std::vector<std::string> describeSense(Problem<Dim> const& problem, ParameterList const& deck);
+std::vector<std::string> describeSense(Problem<Dim> const& problem);
 
 // Whether positive slip has the same sense on all faults, as files for SEAS and SCEC take it.
 // Collective.
 template <int Dim>
-bool haveOneSense(Problem<Dim> const& problem, ParameterList const& deck);
+bool haveOneSense(Problem<Dim> const& problem);
 } // namespace asperity::scenario

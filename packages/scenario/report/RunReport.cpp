@@ -27,10 +27,9 @@ namespace
 {
 // For a generated wedge: what its cell size means, and a warning if gravity is not perpendicular to
 // the surface.
-void describeWedge(ParameterList const& deck, BulkSettings const& bulk,
+void describeWedge(ParameterList const& mesh, BulkSettings const& bulk,
                    std::array<double, 3> const& downwards, Description& description)
 {
-  auto const& mesh = deck.sublist("Mesh");
   auto const type = mesh.get<std::string>("Type");
   auto const generated = generatedMesh(type);
   if (!generated || !generated->is_wedge) {
@@ -54,9 +53,8 @@ void describeWedge(ParameterList const& deck, BulkSettings const& bulk,
   }
 }
 
-void warnOfCoupling(ParameterList const& deck, double of_steps, Description& description)
+void warnOfCoupling(double given, double of_steps, Description& description)
 {
-  const double given = deck.sublist("Coupling").get<double>("Tolerance");
   if (of_steps > 0 && given > of_steps) {
     description.warnings.push_back(
       {"coupling tolerance",
@@ -102,10 +100,9 @@ bool hasWarning(std::string const& topic, std::vector<Warning> const& warnings)
 
 // Where slip is prescribed, the stiffness of the fault has no effect.
 template <int Dim>
-void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
-                     Description& description)
+void warnOfFlatCells(Problem<Dim> const& problem, Description& description)
 {
-  auto const& mesh = deck.sublist("Mesh");
+  auto const& mesh = problem.settings.lists.mesh;
   constexpr char const* entry = "Flat Cells Beside";
   if (!mesh.isParameter(entry)) {
     return;
@@ -129,12 +126,11 @@ void warnOfFlatCells(Problem<Dim> const& problem, ParameterList const& deck,
 
 // What the run computes: the body, friction, the time scheme, and what is prescribed.
 template <int Dim>
-void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Description& description)
+void describeModel(Problem<Dim> const& problem, Description& description)
 {
   auto& lines = description.lines;
   std::ostringstream first;
-  auto const& bulk = deck.sublist("Bulk");
-  first << bulk.get<std::string>("Model") << ", "
+  first << problem.settings.lists.bulk.get<std::string>("Model") << ", "
         << (problem.settings.bulk.isQuasiDynamic() ? "quasi-dynamic, " : "inertial, ")
         << problem.mesh().num_global_vertices << " vertices, "
         << (problem.surface().numGlobalNodes() > 0
@@ -165,20 +161,22 @@ void describeModel(Problem<Dim> const& problem, ParameterList const& deck, Descr
 } // namespace
 
 template <int Dim>
-Description describe(Problem<Dim> const& problem, ParameterList const& deck)
+Description describe(Problem<Dim> const& problem)
 {
+  auto const& settings = problem.settings;
   Description description{describeEnvironment(*problem.communicator), problem.findings.warnings};
-  describeModel(problem, deck, description);
+  describeModel(problem, description);
   description.add(describeSize(problem));
-  describeWedge(deck, problem.settings.bulk, problem.discretisation.upright.down, description);
-  description.add(describeSense(problem, deck));
+  describeWedge(settings.lists.mesh, settings.bulk, problem.discretisation.upright.down,
+                description);
+  description.add(describeSense(problem));
   if (auto const of_shape = warnOfCellShape(problem)) {
     description.warnings.push_back(*of_shape);
   }
   description.add(problem.findings.remarks);
   if (auto const& resolution = problem.scales.resolution) {
-    auto const& laws = problem.settings.friction.laws;
-    description.add(describe(*resolution, laws, deck.sublist("Mesh").get<std::string>("Type")));
+    auto const& laws = settings.friction.laws;
+    description.add(describe(*resolution, laws, settings.lists.mesh.get<std::string>("Type")));
     description.add(warnOfResolution(*resolution, laws));
   }
   // With a normal stress in the wrong unit the lengths of friction are wrong, not the body's.
@@ -195,12 +193,12 @@ Description describe(Problem<Dim> const& problem, ParameterList const& deck)
                                                                " m/s, as expected at the start"));
   }
   describeSmallestStep(problem, description);
-  warnOfFlatCells(problem, deck, description);
-  warnOfTolerance(problem.settings.time, description);
-  warnOfCoupling(deck, problem.settings.time.tolerance, description);
+  warnOfFlatCells(problem, description);
+  warnOfTolerance(settings.time, description);
+  warnOfCoupling(settings.coupling.tolerance, settings.time.tolerance, description);
   return description;
 }
 
-template Description describe(Problem<2> const&, ParameterList const&);
-template Description describe(Problem<3> const&, ParameterList const&);
+template Description describe(Problem<2> const&);
+template Description describe(Problem<3> const&);
 } // namespace asperity::scenario

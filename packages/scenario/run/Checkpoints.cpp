@@ -6,7 +6,6 @@
 #include "base/program/WorkTimers.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/RunArchive.hpp"
-#include "scenario/setup/CheckpointSetup.hpp"
 
 namespace asperity::scenario
 {
@@ -32,12 +31,13 @@ NodeSets nodeSets(Problem<Dim> const& problem, Domains const& domains)
 template NodeSets nodeSets(Problem<2> const&, Domains const&);
 template NodeSets nodeSets(Problem<3> const&, Domains const&);
 
-Checkpoints::Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
+Checkpoints::Checkpoints(std::filesystem::path const& directory,
+                         CheckpointIntervals const& intervals,
                          std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
                          RCP<const Communicator> const& communicator)
     : directory_(directory)
-    , interval_(CheckpointIntervals::from(output).num_steps)
-    , minutes_(CheckpointIntervals::from(output).minutes)
+    , interval_(intervals.num_steps)
+    , minutes_(intervals.minutes)
     , plugins_(contentOfPlugins(plugins))
     , fingerprint_(std::move(fingerprint))
     , communicator_(communicator)

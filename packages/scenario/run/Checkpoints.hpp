@@ -1,9 +1,9 @@
 #pragma once
 
 #include "io/checkpoint/Checkpoint.hpp"
-#include "parameters/Parameters.hpp"
 #include "scenario/fields/Domains.hpp"
 #include "scenario/problem/Problem.hpp"
+#include "scenario/setup/CheckpointSetup.hpp"
 
 #include <chrono>
 #include <cstdint>
@@ -22,8 +22,8 @@ NodeSets nodeSets(Problem<Dim> const& problem, Domains const& domains);
 class Checkpoints
 {
 public:
-  // output: the deck's list. plugins: files of libraries.
-  Checkpoints(std::filesystem::path const& directory, ParameterList const& output,
+  // plugins: files of libraries.
+  Checkpoints(std::filesystem::path const& directory, CheckpointIntervals const& intervals,
               std::vector<std::string> const& plugins, io::Fingerprint fingerprint,
               RCP<const Communicator> const& communicator);
 

@@ -7,7 +7,6 @@
 #include "base/program/WorkTimers.hpp"
 #include "dynamics/checks/PlausibleValues.hpp"
 #include "dynamics/control/NotFinite.hpp"
-#include "io/OutputSet.hpp"
 #include "mesh/BoundingBox.hpp"
 #include "mesh/PointText.hpp"
 #include "scenario/report/SmallestStep.hpp"
@@ -28,15 +27,14 @@ namespace asperity::scenario
 namespace
 {
 template <int Dim>
-std::unique_ptr<dynamics::CoupledStep>
-makeCoupledStep(ParameterList const& deck, Problem<Dim> const& problem,
-                dynamics::Model const& model, dynamics::DyadicTime const& clock)
+std::unique_ptr<dynamics::CoupledStep> makeCoupledStep(Problem<Dim> const& problem,
+                                                       dynamics::Model const& model,
+                                                       dynamics::DyadicTime const& clock)
 {
   auto const& time = problem.settings.time;
   const dynamics::StepSettings settings = {
-    makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock,
-    dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance), problem.solver,
-    problem.settings.solver.memoryBudget()};
+    makeRateUpdate(time, !problem.settings.bulk.isQuasiDynamic()), clock, problem.settings.coupling,
+    problem.solver, problem.settings.solver.memoryBudget()};
   return std::make_unique<dynamics::CoupledStep>(model.body, model.fault, settings, model.reaction);
 }
 } // namespace
@@ -74,8 +72,8 @@ Evolution<Dim>::Evolution(Problem<Dim> const& problem, ParameterList const& deck
     , model_(condensation_ ? condensation_->model() : problem_.model)
     , clock_(clockOf(problem_))
     , end_(clock_.reaching(problem_.settings.time.final_time))
-    , coupled_step_(makeCoupledStep(deck, problem_, model_, clock_))
-    , control_(makeStepControl(problem_.settings.time, io::OutputSet::times(deck.sublist("Output")),
+    , coupled_step_(makeCoupledStep(problem_, model_, clock_))
+    , control_(makeStepControl(problem_.settings.time, problem_.settings.output_times,
                                *coupled_step_,
                                {problem_.scales.waveRate(), model_.initial.u, leastMotion(problem_),
                                 [this](int vertex) { return placeOf(vertex); }}))

@@ -42,7 +42,8 @@ template <int Dim>
 class Evolution
 {
 public:
-  // The problem is that of the deck, and must outlive this. Collective, as all that follows.
+  // The problem is that of the deck, and both must outlive this. The deck is for watches alone,
+  // which may look at all of it. Collective, as all that follows.
   Evolution(Problem<Dim> const& problem, ParameterList const& deck, Beginning const& beginning);
   Evolution(Evolution const&) = delete; // the view refers to members
   Evolution& operator=(Evolution const&) = delete;

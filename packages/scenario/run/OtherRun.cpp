@@ -118,15 +118,16 @@ std::string timesOf(std::vector<fem::MaxwellBranch> const& branches)
 }
 
 template <int Dim>
-void requireSameKind(Problem<Dim> const& here, ParameterList const& deck, Problem<Dim> const& there,
-                     ParameterList const& other, std::string const& run)
+void requireSameKind(Problem<Dim> const& here, Problem<Dim> const& there, std::string const& run)
 {
+  auto const& ours = here.settings.lists;
+  auto const& others = there.settings.lists;
   for (std::string const name : {"Law", "State Evolution"}) {
-    requireSame("Asperity / Friction / " + name, deck.sublist("Friction").get<std::string>(name),
-                other.sublist("Friction").get<std::string>(name), run);
+    requireSame("Asperity / Friction / " + name, ours.friction.get<std::string>(name),
+                others.friction.get<std::string>(name), run);
   }
-  requireSame("Asperity / Bulk / Model", deck.sublist("Bulk").get<std::string>("Model"),
-              other.sublist("Bulk").get<std::string>("Model"), run);
+  requireSame("Asperity / Bulk / Model", ours.bulk.get<std::string>("Model"),
+              others.bulk.get<std::string>("Model"), run);
   requireSame("The relaxation times of the rock in s (Asperity / Bulk)",
               timesOf(here.discretisation.rock.branches),
               timesOf(there.discretisation.rock.branches), run);
@@ -233,8 +234,7 @@ void carryFault(Problem<Dim> const& other, State const& state, io::OutputDomain 
 
 template <int Dim>
 Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
-                        Domains const& domains, ParameterList const& deck,
-                        dynamics::DyadicTime const& clock, double end)
+                        Domains const& domains, dynamics::DyadicTime const& clock, double end)
 {
   std::error_code ignored;
   ASPERITY_REQUIRE(std::filesystem::exists(run, ignored),
@@ -248,7 +248,7 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
               std::to_string(meshDimension(other_deck->sublist("Mesh"), *problem.communicator)),
               run.string());
   auto const other = makeProblem<Dim>(*other_deck, problem.communicator);
-  requireSameKind(problem, deck, other, *other_deck, run.string());
+  requireSameKind(problem, other, run.string());
   auto const other_domains = makeDomains(other);
   auto const other_clock = clockOf(other);
   auto const checkpoint =
@@ -279,8 +279,7 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
 
 #define ASPERITY_INSTANTIATE(Dim)                                                                  \
   template Archive stateOfOtherRun(std::filesystem::path const&, Problem<Dim> const&,              \
-                                   Domains const&, ParameterList const&,                           \
-                                   dynamics::DyadicTime const&, double);
+                                   Domains const&, dynamics::DyadicTime const&, double);
 
 ASPERITY_INSTANTIATE(2)
 ASPERITY_INSTANTIATE(3)

@@ -25,6 +25,5 @@ namespace asperity::scenario
 // Collective.
 template <int Dim>
 Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& problem,
-                        Domains const& domains, ParameterList const& deck,
-                        dynamics::DyadicTime const& clock, double end);
+                        Domains const& domains, dynamics::DyadicTime const& clock, double end);
 } // namespace asperity::scenario

@@ -1,6 +1,7 @@
 #include "scenario/run/PreparedRun.hpp"
 
 #include "catalogue/receivers/ReceiversOnFault.hpp"
+#include "catalogue/stress/CoulombPlanes.hpp"
 #include "scenario/DeckRemarks.hpp"
 #include "scenario/Fingerprint.hpp"
 #include "scenario/fields/OutputFields.hpp"
@@ -23,8 +24,7 @@ std::filesystem::path directoryOfResults(CommandLine const& command_line)
 
 template <int Dim>
 Beginning beginningOf(CommandLine const& command_line, Problem<Dim> const& problem,
-                      Domains const& domains, ParameterList const& deck,
-                      Checkpoints const& checkpoints)
+                      Domains const& domains, Checkpoints const& checkpoints)
 {
   if (!command_line.restart.empty()) {
     return {Beginning::From::checkpoint,
@@ -32,7 +32,7 @@ Beginning beginningOf(CommandLine const& command_line, Problem<Dim> const& probl
   }
   if (!command_line.restart_from.empty()) {
     return {Beginning::From::other_run,
-            stateOfOtherRun(command_line.restart_from, problem, domains, deck, clockOf(problem),
+            stateOfOtherRun(command_line.restart_from, problem, domains, clockOf(problem),
                             problem.settings.time.final_time)};
   }
   return {};
@@ -47,14 +47,15 @@ PreparedRun<Dim>::PreparedRun(RCP<const ParameterList> deck_, Problem<Dim> probl
     , directory(directoryOfResults(command_line))
     , problem(std::move(problem_))
     , domains(makeDomains(problem))
-    , checkpoints(directory, deck->sublist("Output"), command_line.plugins,
+    , checkpoints(directory, problem.settings.checkpoints, command_line.plugins,
                   fingerprint(*deck, problem.mesh(), *communicator), communicator)
-    , beginning(beginningOf(command_line, problem, domains, *deck, checkpoints))
+    , beginning(beginningOf(command_line, problem, domains, checkpoints))
     , evolution(problem, *deck, beginning)
     , unread(warnOfUnreadEntries(command_line, *deck))
 {
   auto const& output = deck->sublist("Output");
-  registerFields(registry, problem, evolution.view(), domains, *deck);
+  registerFields(registry, problem, evolution.view(), domains,
+                 catalogue::coulombPlanes(output, Dim));
   outputs = std::make_unique<io::OutputSet>(
     output, io::OutputContext{
               directory, communicator, registry, domains, {0, 1, 0}, evolution.finalTime()});
@@ -63,7 +64,7 @@ PreparedRun<Dim>::PreparedRun(RCP<const ParameterList> deck_, Problem<Dim> probl
 template <int Dim>
 Description PreparedRun<Dim>::description() const
 {
-  auto result = describe(problem, *deck);
+  auto result = describe(problem);
   if (unread) {
     result.warnings.push_back(*unread);
   }

@@ -115,7 +115,7 @@ void Simulation<Dim>::recordFault()
   if (fault != prepared_.domains.end()) {
     auto facts =
       catalogue::faultFacts(fault->second, evolution_.problem().discretisation.upright.up);
-    facts["one_sense"] = {haveOneSense(evolution_.problem(), *prepared_.deck) ? 1. : 0.};
+    facts["one_sense"] = {haveOneSense(evolution_.problem()) ? 1. : 0.};
     record_.fault(facts);
   }
 }

@@ -21,9 +21,9 @@ public:
   // the checkpoint by then, as any restart does. `prepared` must outlive this. Collective.
   Simulation(PreparedRun<Dim>& prepared, CommandLine const& command_line);
 
-  // Runs to the final time, or until a signal to stop (base/program/Signals.hpp). Returns the exit status
-  // (base/program/MpiScope.hpp). Throws SolveError if even the smallest step fails; the last good
-  // state is on disk then. Collective.
+  // Runs to the final time, or until a signal to stop (base/program/Signals.hpp). Returns the exit
+  // status (base/program/MpiScope.hpp). Throws SolveError if even the smallest step fails; the last
+  // good state is on disk then. Collective.
   int run();
 
 private:

@@ -41,7 +41,8 @@ Entries<InitialSettings> initialEntries()
             "initial shear traction.")
     .others()
     .field(initial_entries::alpha, 0., "-", Range::any(),
-           "The fault starts with this state alpha = ln(theta V* / L); 0 is steady sliding at V*.");
+           "The fault starts with this state alpha, the state variable of the friction law. Of "
+           "rate-and-state friction it is ln(theta V* / L), and 0 is steady sliding at V*.");
   return entries;
 }
 } // namespace

@@ -188,22 +188,14 @@ class Run(unittest.TestCase):
                          sizes)
 
     def test_a_restart_may_change_what_a_control_allows(self):
-        """The sizes follow from the new number, beginning with the steps after the checkpoint."""
         deck = [DECK, "--plugin", PLUGIN, *settings("Time Stepping/Largest Step=1")]
-        of_size = "Time Stepping/Growing Steps/Steps of a Size"
-
-        def sizes(folder):
-            return [row["step_size"] for row in asperity_run.table(folder / "steps.csv")]
-
+        number = "Time Stepping/Growing Steps/Steps of a Size"
         folder = asperity_run.run_to_end("regrown", *deck, *settings(
-            {of_size: 1000, "Time Stepping/Final Time": 0.25}))
-        before = sizes(folder)
-        self.assertEqual(before[1:], [2 ** -10] * 256)
-        asperity_run.go_on(folder, *deck, *settings({of_size: 5}))
-        after = sizes(folder)
-        self.assertEqual(after[:len(before)], before)
-        self.assertGreater(max(after), 8 * max(before))
-        self.assert_exact_slip(folder)
+            {number: 1000, "Time Stepping/Final Time": 0.25}))
+        asperity_run.go_on(folder, *deck, *settings({number: 5}))
+        sizes = [row["step_size"] for row in asperity_run.table(folder / "steps.csv")]
+        self.assertEqual(sizes[1:257], [2 ** -10] * 256)
+        self.assertEqual(max(sizes), 1)
 
     def test_a_watch_has_entries_of_its_own(self):
         folder = asperity_run.run_to_end("patient", DECK, "--plugin", PLUGIN, "--set",

@@ -17,7 +17,12 @@ TEST(DeckSettings, HoldEveryListThatAProblemReads)
     deck.sublist("Initial State").set("Displacement", "Zero").set("State", "Steady");
     deck.sublist("Initial State").set("Slip Rate", 2.);
     deck.sublist("TNNMG").set("Memory Budget", 5.).set("Maximum Iterations", 4);
-    deck.sublist("Output").set("Up", array<double>({0, 0, 1}));
+    deck.sublist("Time Stepping").sublist("Step Doubling").set("Tolerance", 1e-4);
+    deck.sublist("Coupling").set("Maximum Iterations", 9);
+    auto& output = deck.sublist("Output");
+    output.set("Up", array<double>({0, 0, 1})).set("East", array<double>({0, 1, 0}));
+    output.set("Checkpoint Every n Steps", 12);
+    output.sublist("Fault History").set("Enabled", true).set("Times", array<double>({5, 6}));
   }));
   EXPECT_EQ(settings.time.final_time, 7);
   ASSERT_EQ(settings.conditions.size(), 2U);
@@ -30,6 +35,12 @@ TEST(DeckSettings, HoldEveryListThatAProblemReads)
   EXPECT_EQ(settings.solver.memoryBudget(), 5000000U);
   EXPECT_EQ(settings.solver.tnnmg.max_iterations, 4);
   EXPECT_EQ(settings.up, (std::vector<double>{0, 0, 1}));
+  EXPECT_EQ(settings.east.east, (std::vector<double>{0, 1, 0}));
+  EXPECT_EQ(settings.checkpoints.num_steps, 12);
+  EXPECT_EQ(settings.output_times, (std::vector<double>{5, 6}));
+  EXPECT_EQ(settings.time.tolerance, 1e-4);
+  EXPECT_EQ(settings.coupling.max_iterations, 9);
+  EXPECT_DOUBLE_EQ(settings.coupling.tolerance, 1e-7) << "a thousandth of that of steps";
   // Fields, which need a mesh.
   EXPECT_EQ(settings.lists.bulk.get<double>("Density"), 1234);
   EXPECT_EQ(settings.lists.friction.get<double>("Cohesion"), 11);

@@ -95,8 +95,7 @@ TEST(FaultKind, IsToldApartInTheStateOfAnotherRun)
     run.file("parameters.xml"));
   auto const deck = strip();
   auto const problem = makeProblem<2>(deck, world());
-  expectRefusal(
-    [&] { stateOfOtherRun(run.file("."), problem, {}, deck, dynamics::DyadicTime(1, 0), 1); },
-    {"is 'Antisymmetric Fault', but 'Threefold Fault' in the run"});
+  expectRefusal([&] { stateOfOtherRun(run.file("."), problem, {}, dynamics::DyadicTime(1, 0), 1); },
+                {"is 'Antisymmetric Fault', but 'Threefold Fault' in the run"});
 }
 } // namespace asperity::scenario

@@ -1,6 +1,7 @@
 #include "scenario/fields/OutputFields.hpp"
 
 #include "SampleDeck.hpp"
+#include "catalogue/stress/CoulombPlanes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -29,7 +30,8 @@ struct Start
     sample.begin(problem.model.initial, 0, balance);
     view.fault = &sample;
     view.balance = &balance;
-    registerFields(registry, problem, view, domains, deck);
+    registerFields(registry, problem, view, domains,
+                   catalogue::coulombPlanes(deck.sublist("Output"), 2));
   }
 
   std::vector<double> onFault(std::string const& name) const
@@ -65,6 +67,26 @@ TEST(OutputFields, NoThetaWhereTheStateLawDoesNotSayHowItFollows)
   }));
   EXPECT_EQ(start.onFault("alpha").size(), 3u);
   expectRefusal([&] { start.onFault("theta"); }, {"theta"});
+}
+
+TEST(OutputFields, AlphaIsTheStateVariableOfTheLaw)
+{
+  const auto described = [](ParameterList const& deck) {
+    return Start(deck).registry.field("fault", "alpha").description;
+  };
+  EXPECT_EQ(described(column()), "State: ln(theta V* / L).");
+  EXPECT_EQ(described(column([](auto& deck) {
+              auto& friction = deck.sublist("Friction");
+              for (auto const* name :
+                   {"a", "b", "L", "Reference Slip Rate", "Reference Friction Coefficient"}) {
+                friction.remove(name, false);
+              }
+              friction.set("Law", "Slip Weakening").set("State Evolution", "Slip Weakening");
+              friction.set("Static Friction Coefficient", 0.7);
+              friction.set("Dynamic Friction Coefficient", 0.5);
+              friction.set("Slip-Weakening Distance", 0.9);
+            })),
+            "State: share of slip weakening.");
 }
 
 TEST(OutputFields, ShearModulusIsThatOfTheBodyBesideTheFault)

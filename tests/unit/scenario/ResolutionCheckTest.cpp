@@ -86,7 +86,7 @@ TEST(ResolutionCheck, LooksAtThePartThatWeakens)
   EXPECT_NEAR(resolution->cells_per_zone, zone, 1e-9 * zone);
   EXPECT_NEAR(resolution->nucleation_length, 2 / M_PI * 9 * zone, 1e-6 * zone);
   EXPECT_NEAR(resolution->cell_height, 1, 1e-12);
-  EXPECT_FALSE(warns(describe(problem, deck)));
+  EXPECT_FALSE(warns(describe(problem)));
 }
 
 TEST(ResolutionCheck, SaysTheNucleationLengthOfTheAgeingLawAlone)
@@ -112,7 +112,7 @@ TEST(ResolutionCheck, WarnsOfCellsThatAreTooLarge)
 {
   const auto lines = [](double L) {
     const auto deck = strip([L](ParameterList& given) { given.sublist("Friction").set("L", L); });
-    return describe(makeProblem<2>(deck, world()), deck);
+    return describe(makeProblem<2>(deck, world()));
   };
   // Lambda0 = L 1e6 / 150 m against cells of 1 m.
   EXPECT_TRUE(warns(lines(2.9 * 150 / 1e6)));
@@ -168,7 +168,7 @@ TEST(ResolutionCheck, LeavesOutWhatCannotSlip)
     EXPECT_NEAR(problem.scales.resolution->cohesive_zone, 9 * M_PI / 32 * 450, 1e-9) << barrier;
     EXPECT_NEAR(problem.scales.resolution->weakening_length, 1.5, 1e-12) << barrier;
     EXPECT_NEAR(problem.scales.barrier, 0.25, 1e-12) << barrier;
-    EXPECT_FALSE(warns(describe(problem, deck))) << barrier;
+    EXPECT_FALSE(warns(describe(problem))) << barrier;
   }
   // The same stress is in reach where loads bring it.
   const auto loaded = slipWeakening([](ParameterList& friction) {
@@ -232,8 +232,8 @@ TEST(ResolutionCheck, KnowsTheZoneBehindAFrontWhereFrictionStrengthens)
     EXPECT_NEAR(ageing.scales.front->cells, zone(L), 1e-3 * zone(L));
     EXPECT_NEAR(slip.scales.front->cells, zone(L) / omega, 1e-3 * zone(L));
     EXPECT_NEAR(slip.scales.front->length, zone(L) / omega, 1e-3 * zone(L));
-    EXPECT_FALSE(warns(describe(ageing, of_ageing), "front of slip"));
-    EXPECT_EQ(warns(describe(slip, of_slip), "front of slip"), zone(L) < 2 * omega);
+    EXPECT_FALSE(warns(describe(ageing), "front of slip"));
+    EXPECT_EQ(warns(describe(slip), "front of slip"), zone(L) < 2 * omega);
   }
 }
 
@@ -312,7 +312,7 @@ TEST(RunReport, WarnsOfALooseTolerance)
       time.set("Control", "Richardson");
       time.sublist("Richardson").set("Tolerance", tolerance);
     });
-    auto const warnings = describe(makeProblem<2>(deck, world()), deck).warnings;
+    auto const warnings = describe(makeProblem<2>(deck, world())).warnings;
     return std::any_of(warnings.begin(), warnings.end(),
                        [](Warning const& each) { return each.topic == "loose tolerance"; });
   };
@@ -325,7 +325,7 @@ TEST(ResolutionCheck, SaysNothingWhereFrictionDoesNotWeaken)
   const auto deck = strip([](ParameterList& given) { given.sublist("Friction").set("b", 0.01); });
   auto const problem = makeProblem<2>(deck, world());
   EXPECT_FALSE(problem.scales.resolution);
-  for (auto const& line : describe(problem, deck).lines) {
+  for (auto const& line : describe(problem).lines) {
     EXPECT_EQ(line.find("Resolution"), std::string::npos) << line;
   }
 }

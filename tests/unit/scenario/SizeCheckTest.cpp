@@ -62,7 +62,7 @@ std::vector<std::string> texts(BodySize const& size,
 
 bool warns(ParameterList const& deck, std::string const& topic)
 {
-  const auto warnings = describe(makeProblem<2>(deck, world()), deck).warnings;
+  const auto warnings = describe(makeProblem<2>(deck, world())).warnings;
   return std::any_of(warnings.begin(), warnings.end(),
                      [&](Warning const& warning) { return warning.topic == topic; });
 }

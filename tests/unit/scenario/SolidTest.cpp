@@ -51,8 +51,7 @@ ParameterList halfSpace(std::function<void(ParameterList&)> const& change = [](a
   });
 }
 
-std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck,
-                            std::string const& name)
+std::vector<double> onFault(Problem<3> const& problem, std::string const& name)
 {
   dynamics::EnergyBalance balance(problem.model.body, problem.model.fault,
                                   makeClock(problem.settings.time));
@@ -65,7 +64,7 @@ std::vector<double> onFault(Problem<3> const& problem, ParameterList const& deck
   view.balance = &balance;
   auto const domains = makeDomains(problem);
   io::FieldRegistry registry;
-  registerFields(registry, problem, view, domains, deck);
+  registerFields(registry, problem, view, domains, {});
   std::vector<double> values;
   registry.field("fault", name).values(values);
   return values;
@@ -151,10 +150,10 @@ TEST(Solid, BalancesTheTractionAlongTheInitialVelocity)
   for (double alpha : valuesOf(problem.model.initial.alpha)) {
     EXPECT_NEAR(alpha, std::log(1e-6 / V), 1e-9) << "steady state";
   }
-  for (double rate : onFault(problem, deck, "slip_rate")) {
+  for (double rate : onFault(problem, "slip_rate")) {
     EXPECT_NEAR(rate, V, 1e-12 * V);
   }
-  const auto velocity = onFault(problem, deck, "slip_velocity");
+  const auto velocity = onFault(problem, "slip_velocity");
   ASSERT_EQ(velocity.size(), 3 * problem.surface().numNodes());
   for (std::size_t i = 0; i < velocity.size(); i += 3) {
     EXPECT_NEAR(velocity[i], 0.6 * V, 1e-12 * V);

@@ -1,5 +1,6 @@
 #include "scenario/setup/friction/FrictionSetup.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -9,6 +10,7 @@
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 namespace asperity::scenario
@@ -16,6 +18,18 @@ namespace asperity::scenario
 namespace
 {
 char const* const change_choice = "Normal Stress Change";
+
+// The words of that choice.
+struct ChangeWord
+{
+  char const* word;
+  dynamics::NormalStressChange change;
+};
+constexpr ChangeWord change_words[] = {
+  {"Fixed", dynamics::NormalStressChange::fixed},
+  {"Lagged", dynamics::NormalStressChange::lagged},
+  {"Coupled", dynamics::NormalStressChange::coupled},
+  {regularisation_list, dynamics::NormalStressChange::coupled}};
 
 RCP<const ParameterList> regularisationParameters()
 {
@@ -28,6 +42,19 @@ RCP<const ParameterList> regularisationParameters()
            "time has no such effect. One of the two has to be given.")
     .hint("A rate V_ref beside the slip rate is a time of Slip Distance / V_ref.")
     .list();
+}
+
+// The list of each word; only one has entries.
+std::vector<Declare::NamedList> listsOfChange()
+{
+  std::vector<Declare::NamedList> lists;
+  for (auto const& [word, change] : change_words) {
+    lists.emplace_back(word, Declare().list());
+    if (lists.back().first == regularisation_list) {
+      lists.back().second = regularisationParameters();
+    }
+  }
+  return lists;
 }
 
 Entries<FrictionSettings> frictionEntries()
@@ -47,11 +74,7 @@ Entries<FrictionSettings> frictionEntries()
     .real("Normal Stress Factor", &S::normal_stress_factor, "-", Range::atLeast(0),
           "This factor multiplies the normal stress.")
     .choiceOfLists(
-      change_choice, &S::change,
-      {{"Fixed", Declare().list()},
-       {"Lagged", Declare().list()},
-       {"Coupled", Declare().list()},
-       {regularisation_list, regularisationParameters()}},
+      change_choice, &S::change, listsOfChange(),
       "Selects whether the change of the compression across the fault since the start of the run "
       "is added to the normal stress. Fixed: it is not. Lagged: the change up to the beginning of "
       "each step is added, with an error of first order in the step size. Coupled: the change up "
@@ -87,9 +110,10 @@ FrictionSettings FrictionSettings::from(ParameterList const& list)
 
 dynamics::NormalStressChange FrictionSettings::normalStressChange() const
 {
-  return change == "Fixed"    ? dynamics::NormalStressChange::fixed
-         : change == "Lagged" ? dynamics::NormalStressChange::lagged
-                              : dynamics::NormalStressChange::coupled;
+  auto const* const found = std::find_if(std::begin(change_words), std::end(change_words),
+                                         [this](auto const& each) { return change == each.word; });
+  ASPERITY_ASSERT(found != std::end(change_words)); // the deck is complete
+  return found->change;
 }
 
 bool FrictionSettings::followsAtOnce() const

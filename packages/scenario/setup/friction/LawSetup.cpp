@@ -9,8 +9,6 @@
 #include "scenario/setup/friction/SteadyFriction.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 
 namespace asperity::scenario
 {
@@ -34,50 +32,6 @@ Entries<LawChoice> lawEntries(ParameterList& list)
             }
           });
   return entries;
-}
-
-// (num_nodes * num_parameters): the values of one node side by side.
-std::vector<double> valuesByNode(ParameterTable const& table, ParameterList const& list,
-                                 FieldNodes const& nodes)
-{
-  std::vector<double> values(nodes.ids.size() * table.size());
-  for (std::size_t row = 0; row < table.size(); ++row) {
-    auto const of_nodes = nodalValues(list, table[row].name, friction_path, nodes);
-    for (std::size_t node = 0; node < nodes.ids.size(); ++node) {
-      values[node * table.size() + row] = of_nodes[node];
-    }
-  }
-  return values;
-}
-
-friction::ParameterView valuesOnDevice(ParameterTable const& table, ParameterList const& list,
-                                       FieldNodes const& nodes)
-{
-  Kokkos::View<double**, MemorySpace> values("asperity::scenario::lawParameters", table.size(),
-                                             nodes.ids.size());
-  auto const host = Kokkos::create_mirror_view(values);
-  auto const by_node = valuesByNode(table, list, nodes);
-  for (std::size_t i = 0; i < by_node.size(); ++i) {
-    host(i % table.size(), i / table.size()) = by_node[i];
-  }
-  Kokkos::deep_copy(values, host);
-  return values;
-}
-
-template <class Value>
-std::optional<std::vector<Value>>
-propertyAtNodes(std::function<Value(double const*)> const& function, ParameterTable const& table,
-                ParameterList const& list, FieldNodes const& nodes)
-{
-  if (!function) {
-    return std::nullopt;
-  }
-  auto const values = valuesByNode(table, list, nodes);
-  std::vector<Value> result;
-  for (std::size_t node = 0; node < nodes.ids.size(); ++node) {
-    result.push_back(function(values.data() + node * table.size()));
-  }
-  return result;
 }
 } // namespace
 
@@ -178,81 +132,8 @@ void requireState(LawChoice const& laws, std::string const& needed, std::string 
                         << " depends on the " << laws.frictionLaw().state_variable << ".");
 }
 
-friction::ParameterView frictionLawValues(LawChoice const& laws, ParameterList const& list,
-                                          FieldNodes const& nodes)
-{
-  return valuesOnDevice(laws.frictionLaw().parameters, list, nodes);
-}
-
-friction::ParameterView stateLawValues(LawChoice const& laws, ParameterList const& list,
-                                       FieldNodes const& nodes)
-{
-  return valuesOnDevice(laws.stateLaw().parameters, list, nodes);
-}
-
 friction::TableView stateTable(LawChoice const& laws, ParameterList const& list)
 {
   return laws.stateLaw().has_table ? steadyFriction(list) : friction::TableView();
-}
-
-std::optional<std::vector<friction::Sensitivity>>
-sensitivities(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes)
-{
-  auto const& law = laws.frictionLaw();
-  return propertyAtNodes(law.sensitivity, law.parameters, list, nodes);
-}
-
-std::optional<std::vector<double>> slipDistances(LawChoice const& laws, ParameterList const& list,
-                                                 FieldNodes const& nodes)
-{
-  auto const& law = laws.stateLaw();
-  return propertyAtNodes(law.slip_distance, law.parameters, list, nodes);
-}
-
-std::optional<std::vector<double>>
-referenceFriction(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes)
-{
-  auto const& law = laws.frictionLaw();
-  return propertyAtNodes(law.reference_friction, law.parameters, list, nodes);
-}
-
-std::optional<std::vector<double>> strengthDrops(LawChoice const& laws, ParameterList const& list,
-                                                 FieldNodes const& nodes)
-{
-  auto const& law = laws.frictionLaw();
-  return propertyAtNodes(law.strength_drop, law.parameters, list, nodes);
-}
-
-std::optional<std::vector<double>> thetaScales(LawChoice const& laws, ParameterList const& list,
-                                               FieldNodes const& nodes)
-{
-  auto const& law = laws.stateLaw();
-  return propertyAtNodes(law.theta_scale, law.parameters, list, nodes);
-}
-
-std::vector<double> stressSensitivities(LawChoice const& laws, ParameterList const& list,
-                                        FieldNodes const& nodes)
-{
-  auto const& law = laws.stateLaw();
-  auto const c = propertyAtNodes(law.stress_sensitivity, law.parameters, list, nodes);
-  if (!c || std::all_of(c->begin(), c->end(), [](double value) { return value == 0; })) {
-    return {};
-  }
-  auto const of_friction = sensitivities(laws, list, nodes);
-  ASPERITY_REQUIRE(of_friction, joinPath(friction_path, "c")
-                                  << " is given, but the friction law '" << laws.friction
-                                  << "' has no b, by which the term of Linker and Dieterich "
-                                     "is divided. Remove c, or choose another law.");
-  std::vector<double> result;
-  for (std::size_t i = 0; i < nodes.ids.size(); ++i) {
-    const double b = (*of_friction)[i].state;
-    ASPERITY_REQUIRE((*c)[i] == 0 || b > 0,
-                     joinPath(friction_path, "c")
-                       << " = " << (*c)[i] << " at x = " << nodes.text(i) << ", where b = " << b
-                       << ": the term of Linker and Dieterich is divided by b. "
-                          "Set c to zero there.");
-    result.push_back((*c)[i] == 0 ? 0 : (*c)[i] / b);
-  }
-  return result;
 }
 } // namespace asperity::scenario

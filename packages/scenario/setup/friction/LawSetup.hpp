@@ -2,11 +2,9 @@
 
 #include "friction/Registry.hpp"
 #include "friction/Table.hpp"
-#include "scenario/setup/NodalField.hpp"
+#include "parameters/Parameters.hpp"
 
-#include <optional>
 #include <string>
-#include <vector>
 
 // The friction law and the state law that the deck's list `Friction` chooses among all that are
 // registered.
@@ -39,31 +37,7 @@ void requireSameState(LawChoice const& laws);
 // path of the process that changes it.
 void requireState(LawChoice const& laws, std::string const& needed, std::string const& what);
 
-// In all functions below, list is the deck's list `Friction`.
-
-// Values of the chosen law's parameters at fault nodes (num_parameters, num_nodes), on the device.
-friction::ParameterView frictionLawValues(LawChoice const& laws, ParameterList const& list,
-                                          FieldNodes const& nodes);
-friction::ParameterView stateLawValues(LawChoice const& laws, ParameterList const& list,
-                                       FieldNodes const& nodes);
-// The table of steady friction of the state law; empty if it has none.
+// The table of steady friction of the state law, from the deck's list `Friction`; empty if it has
+// none.
 friction::TableView stateTable(LawChoice const& laws, ParameterList const& list);
-
-// Properties of the chosen laws at the nodes, see friction/LawProperties.hpp; empty if a law does
-// not declare the property.
-std::optional<std::vector<friction::Sensitivity>>
-sensitivities(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes);
-std::optional<std::vector<double>> slipDistances(LawChoice const& laws, ParameterList const& list,
-                                                 FieldNodes const& nodes);
-std::optional<std::vector<double>>
-referenceFriction(LawChoice const& laws, ParameterList const& list, FieldNodes const& nodes);
-std::optional<std::vector<double>> strengthDrops(LawChoice const& laws, ParameterList const& list,
-                                                 FieldNodes const& nodes);
-std::optional<std::vector<double>> thetaScales(LawChoice const& laws, ParameterList const& list,
-                                               FieldNodes const& nodes);
-
-// c / b of Linker and Dieterich's term at the nodes [-]; empty if c is zero at all of them.
-// InputError where c > 0 and the friction law has no b, or b = 0.
-std::vector<double> stressSensitivities(LawChoice const& laws, ParameterList const& list,
-                                        FieldNodes const& nodes);
 } // namespace asperity::scenario
