@@ -38,6 +38,13 @@ NodeView overwritten(RCP<Vector> const& field)
   return NodeView(view.data(), view.extent(0));
 }
 
+std::size_t State::numBodyFields() const
+{
+  std::size_t count = 0;
+  visitBody([&](FieldInfo const&, auto const&) { ++count; }, *this);
+  return count;
+}
+
 NodeView const& State::at(std::string const& name) const
 {
   auto const found = std::find_if(added.begin(), added.end(),

@@ -69,6 +69,8 @@ struct State
     visitCells(visit, states...);
   }
 
+  // How many fields visitBody() visits.
+  std::size_t numBodyFields() const;
   // The values of an added field.
   NodeView const& at(std::string const& name) const;
 

@@ -98,7 +98,7 @@ dynamics::State StateFormat::load(Archive const& archive, std::string const& pat
   }
   const auto name = path + "/amplitudes";
   auto const amplitudes = archive.has(name)
-                            ? sized(archive, name, 4)
+                            ? sized(archive, name, condensation_->numAmplitudes())
                             : condensation_->amplitudesAt(clock_.seconds(state.time));
   return condensation_->gather(state, amplitudes);
 }

@@ -171,9 +171,7 @@ StaticCondensation::condensedSurface(fem::HeldDofs const& held) const
 
 State StaticCondensation::condensedState(Body const& body) const
 {
-  auto const prescribed = body.vector();
-  body.prescribed_velocity(0, *prescribed);
-  return gather(whole_.initial, body, {0, prescribed->getData()[numKept()], 0, 0});
+  return gather(whole_.initial, body, amplitudesAt(0));
 }
 
 ReactionSinceStart StaticCondensation::condensedReaction(ReactionSinceStart const& of_whole,

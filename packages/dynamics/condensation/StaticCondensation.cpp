@@ -224,6 +224,7 @@ State StaticCondensation::gather(State const& whole, Amplitudes const& boundary_
 State StaticCondensation::gather(State const& whole, Body const& condensed,
                                  Amplitudes const& boundary_amplitudes) const
 {
+  ASPERITY_ASSERT(boundary_amplitudes.size() == whole.numBodyFields());
   State state = whole.clone();
   auto amplitude = boundary_amplitudes.begin();
   State::visitBody(
@@ -250,6 +251,13 @@ StaticCondensation::Amplitudes StaticCondensation::amplitudes(State const& state
 StaticCondensation::Amplitudes StaticCondensation::amplitudesAt(double time) const
 {
   const double rate = is_driven_ ? 1 : 0;
-  return {rate * time, rate, 0, 0};
+  auto const& shape = whole_.initial;
+  Amplitudes result;
+  State::visitBody(
+    [&](FieldInfo const&, auto const& field) {
+      result.push_back(&field == &shape.u ? rate * time : &field == &shape.v ? rate : 0);
+    },
+    shape);
+  return result;
 }
 } // namespace asperity::dynamics

@@ -27,8 +27,9 @@ namespace asperity::dynamics
 class StaticCondensation
 {
 public:
-  // The amplitudes of the motion of D in u, v, a and jerk: s and its derivatives.
-  using Amplitudes = std::vector<double>; // (4)
+  // The amplitudes of the motion of D in the fields of State::visitBody, in their order: s in u, and
+  // its derivatives in the others.
+  using Amplitudes = std::vector<double>; // (numAmplitudes())
 
   // `whole` must live on one rank, its load must act on F alone, and prescribed velocities must
   // be constant in time, except at the tangential dofs of the fault; it must outlive the result.
@@ -61,6 +62,7 @@ public:
   State gather(State const& whole, Amplitudes const& boundary_amplitudes) const;
   Amplitudes amplitudes(State const& state) const;
   Amplitudes amplitudesAt(double time) const;
+  std::size_t numAmplitudes() const { return whole_.initial.numBodyFields(); }
 
 private:
   explicit StaticCondensation(Model const& whole);

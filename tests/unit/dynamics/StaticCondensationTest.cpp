@@ -8,6 +8,8 @@
 #include <Tpetra_Vector.hpp>
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace asperity::dynamics
 {
 using namespace dynamics::test;
@@ -157,6 +159,26 @@ TEST(StaticCondensation, RowsOfRecoveryGiveTheMotionOfTheWholeBody)
   }
   condensation->expand(*x, *u);
   EXPECT_EQ(denseOf(*u), expected);
+}
+
+// A state of the whole body and its amplitudes give the condensed state back, field by field.
+TEST(StaticCondensation, HasAnAmplitudeForEachFieldOfTheBody)
+{
+  const dynamics::test::Model model(drivenBlock(), fem::test::selfCommunicator());
+  auto const whole = quasiDynamic(model);
+  auto const condensation = StaticCondensation::make(whole);
+  ASSERT_TRUE(condensation);
+  auto const at_three = condensation->amplitudesAt(3);
+  ASSERT_EQ(at_three.size(), whole.initial.numBodyFields());
+  const State state = condensation->gather(whole.initial, at_three);
+  EXPECT_EQ(condensation->amplitudes(state), at_three);
+  EXPECT_EQ(state.u->getData()[state.u->getLocalLength() - 2], 3); // s, before a dof without use
+  EXPECT_EQ(state.v->getData()[state.v->getLocalLength() - 2], 1);
+  EXPECT_EQ(state.a->normInf(), 0);
+
+  auto too_few = at_three;
+  too_few.pop_back();
+  EXPECT_THROW(condensation->gather(whole.initial, too_few), std::logic_error);
 }
 
 TEST(StaticCondensation, IsRefusedWhereTheBodyIsNotInEquilibrium)
