@@ -49,6 +49,11 @@ Cycle::Cycle(std::shared_ptr<const Hierarchy> hierarchy, std::vector<double> con
     : hierarchy_(std::move(hierarchy))
     , weights_(weights)
 {
+  if (weights_.size() > most_terms) {
+    throw std::invalid_argument("multigrid: Z is the sum of " + std::to_string(weights_.size()) +
+                                " terms, but a cycle has room for " + std::to_string(most_terms) +
+                                ". Raise Cycle::most_terms.");
+  }
   auto const& levels = hierarchy_->levels();
   auto const& kind = SmootherRegistry::instance().at(smoother);
   for (auto const& level : levels) {

@@ -22,7 +22,8 @@ struct InvertFinest;
 class Cycle
 {
 public:
-  // Z: the sum of the hierarchy's terms times weights on the finest level, at most most_terms.
+  // Z: the sum of the hierarchy's terms times weights on the finest level, at most most_terms, or
+  // std::invalid_argument is thrown.
   // held(rows): 1 or 0. added(num_nodes, T): local rows of the added nodes, T <= 3. smoother: a
   // name of SmootherRegistry. Collective.
   static constexpr char const* usual_smoother = "Gauss-Seidel";

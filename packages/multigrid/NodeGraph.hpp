@@ -29,12 +29,12 @@ struct GraphSizes
 
 // How ranks exchange the values of columns that others have copies of. Both take vectors on the
 // columns with ghosts, are null on one rank, and are collective.
-struct GhostExchange
+struct ColumnExchange
 {
   std::function<void(NodeVector const& x)> share;  // copies owned values to ghosts
   std::function<void(NodeVector const& x)> gather; // adds what ghosts have to their owners' values
   // The same where owned scalar columns have got these numbers. Not collective.
-  std::function<GhostExchange(std::vector<int> const& number)> renumbered;
+  std::function<ColumnExchange(std::vector<int> const& number)> renumbered;
 };
 
 // Which nodes a matrix couples, on this rank; where it is made.
@@ -42,7 +42,7 @@ struct HostGraph : GraphSizes
 {
   std::vector<int> first;   // (num_rows + 1) where the couplings of a row begin
   std::vector<int> columns; // (num couplings) local nodes, ascending within a row
-  GhostExchange ghosts;     // of the columns
+  ColumnExchange ghosts;    // of the columns
 
   int numCouplings() const { return first.back(); }
   // The coupling of a row with a column, or -1.
@@ -52,8 +52,8 @@ struct HostGraph : GraphSizes
 // The same where kernels run.
 struct DeviceGraph : GraphSizes
 {
-  IndexView columns;    // (num couplings)
-  GhostExchange ghosts; // of the columns
+  IndexView columns;     // (num couplings)
+  ColumnExchange ghosts; // of the columns
 
   DeviceGraph() = default;
   DeviceGraph(HostGraph const& host, std::vector<int> const& columns_in_order);

@@ -28,12 +28,14 @@ public:
 
   // One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
   // by node, over all ranks, so that J does not rise. Updates v_columns (v on columns()) and
-  // blocks(num_nodes, T), the values of v at the nonlinear nodes; reads b, and r = b - Z v as it
-  // was before the first sweep. residual(num_nodes, T) is work space. Returns the number of nodes
-  // whose minimisation failed on this rank.
+  // blocks(num_nodes, T), the values of v at the nonlinear nodes. r is b - Z v before the first
+  // sweep. A matrix either updates r in each sweep, as the dense one does, or leaves it alone and
+  // takes what it needs from b; finishSweeps() makes r current in both cases. residual(num_nodes,
+  // T) is work space. Returns the number of nodes whose minimisation failed on this rank.
   virtual int sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns, Vector& r,
                     BlockView const& blocks, BlockView const& residual) const = 0;
-  // r = b - Z v after sweeps, in which v changed by d(num_nodes, T) at the nonlinear nodes.
+  // r = b - Z v after sweeps, in which v changed by d(num_nodes, T) at the nonlinear nodes. Does
+  // nothing if the sweeps have kept r current.
   virtual void finishSweeps(ConstBlockView const& d, Vector const& b, Vector const& v,
                             Vector& r) const = 0;
 

@@ -1,6 +1,7 @@
 #include "tnnmg/TnnmgVectors.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
 
 #include <Tpetra_Map.hpp>
 
@@ -17,7 +18,7 @@ namespace
 KOKKOS_INLINE_FUNCTION
 double magnitudeOfTerms(double b, double r, double Z_ii, double v)
 {
-  return std::fabs(b) + std::fabs(b - r) + 2 * std::fabs(Z_ii * v);
+  return math::fabs(b) + math::fabs(b - r) + 2 * math::fabs(Z_ii * v);
 }
 } // namespace
 
@@ -124,7 +125,7 @@ int TnnmgVectors::increasesInSweeps(RateMatrix const& Z, TnnmgBlocks const& bloc
       for (int k = 0; k < size; ++k) {
         const int i = dofs(node, k);
         change -= 0.5 * (before(i, 0) + now(i, 0)) * d(node, k);
-        sum += 0.5 * std::fabs(d(node, k)) *
+        sum += 0.5 * math::fabs(d(node, k)) *
                (magnitudeOfTerms(bs(i, 0), before(i, 0), Z_ii(i, 0), vs(i, 0)) +
                 magnitudeOfTerms(bs(i, 0), now(i, 0), Z_ii(i, 0), vs(i, 0)));
       }
@@ -168,7 +169,8 @@ TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(RateMatrix const& Z)
     KOKKOS_LAMBDA(int i, double& start, double& curvature, double& magnitude) {
       start -= rs(i, 0) * cs(i, 0);
       curvature += Zcs(i, 0) * cs(i, 0);
-      magnitude += magnitudeOfTerms(bs(i, 0), rs(i, 0), Z_ii(i, 0), vs(i, 0)) * std::fabs(cs(i, 0));
+      magnitude +=
+        magnitudeOfTerms(bs(i, 0), rs(i, 0), Z_ii(i, 0), vs(i, 0)) * math::fabs(cs(i, 0));
     },
     mine.start, mine.curvature, mine.magnitude);
   return mine;

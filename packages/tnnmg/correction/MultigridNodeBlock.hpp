@@ -1,8 +1,8 @@
 #pragma once
 
-#include <Kokkos_Core.hpp>
+#include "portability/Renamed.hpp"
 
-#include <cmath>
+#include <Kokkos_Core.hpp>
 
 namespace asperity::tnnmg::detail
 {
@@ -77,7 +77,7 @@ KOKKOS_INLINE_FUNCTION NodeBlock cholesky(NodeBlock const& A)
       for (int k = 0; k < t; ++k) {
         rest -= L.entry[s][k] * L.entry[t][k];
       }
-      L.entry[s][t] = s == t ? std::sqrt(rest) : rest / L.entry[t][t];
+      L.entry[s][t] = s == t ? math::sqrt(rest) : rest / L.entry[t][t];
     }
   }
   return L;

@@ -1,6 +1,6 @@
 #include "tnnmg/direct/DenseCorrection.hpp"
 
-#include "tnnmg/direct/DenseSystem.hpp"
+#include "tnnmg/direct/KeptFactor.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -38,8 +38,8 @@ struct DenseCorrection::Implementation
   decltype(toHost(ConstBlockView())) on_host;
   Eigen::Map<const Eigen::MatrixXd> Z;
   std::vector<std::vector<int>> dofs; // of each node
-  std::optional<detail::DenseSystem<float>> single;
-  std::optional<detail::DenseSystem<double>> exact; // once it is needed
+  std::optional<detail::KeptFactor<float>> single;
+  std::optional<detail::KeptFactor<double>> exact; // once it is needed
 };
 
 DenseCorrection::DenseCorrection(ConstBlockView const& Z, NodeDofView const& nonlinear)

@@ -21,7 +21,7 @@ using multigrid::HostGraph;
 
 namespace
 {
-multigrid::GhostExchange injected(GhostExchange const& exchange)
+multigrid::ColumnExchange injected(GhostExchange const& exchange)
 {
   auto const kept = std::make_shared<const GhostExchange>(exchange);
   return {[kept](multigrid::NodeVector const& x) {

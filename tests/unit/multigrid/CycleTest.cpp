@@ -313,6 +313,12 @@ TEST(Cycle, RefusesAnIndefiniteMatrix)
   EXPECT_FALSE(chain.cycle->setup(chain.H, chain.removed));
 }
 
+TEST(Cycle, RefusesMoreTermsThanItHasRoomFor)
+{
+  const std::vector<double> weights(Cycle::most_terms + 1, 1.);
+  EXPECT_THROW(Cycle(nullptr, weights, {}, {}, {}), std::invalid_argument);
+}
+
 TEST(FloatConjugateGradients, SolveToTheirTolerance)
 {
   const Chain chain;

@@ -13,14 +13,14 @@ namespace asperity::tnnmg::detail
 // gradients with a kept Cholesky factor of an earlier Z + H, or with the diagonal. Z and r are
 // scaled by powers of two, so that single precision neither overflows nor loses what is small.
 template <class Scalar>
-class DenseSystem
+class KeptFactor
 {
 public:
   using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   // dofs: rows of Z at each of the nonlinear nodes.
-  DenseSystem(Eigen::Map<const Eigen::MatrixXd> const& Z, std::vector<std::vector<int>> dofs);
+  KeptFactor(Eigen::Map<const Eigen::MatrixXd> const& Z, std::vector<std::vector<int>> dofs);
 
   // Solves until the residual, relative to r in the Euclidean norm, is at most the tolerance; c is
   // zero at truncated nodes, where r is not read. If the result has not converged, c is not
@@ -66,6 +66,6 @@ private:
   Values mask_;
 };
 
-extern template class DenseSystem<float>;
-extern template class DenseSystem<double>;
+extern template class KeptFactor<float>;
+extern template class KeptFactor<double>;
 } // namespace asperity::tnnmg::detail

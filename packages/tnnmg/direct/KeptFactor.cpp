@@ -1,4 +1,4 @@
-#include "tnnmg/direct/DenseSystem.hpp"
+#include "tnnmg/direct/KeptFactor.hpp"
 
 #include "multigrid/FlushDenormals.hpp"
 
@@ -28,8 +28,8 @@ double powerOfTwoFor(Values const& values)
 } // namespace
 
 template <class Scalar>
-DenseSystem<Scalar>::DenseSystem(Eigen::Map<const Eigen::MatrixXd> const& Z,
-                                 std::vector<std::vector<int>> dofs)
+KeptFactor<Scalar>::KeptFactor(Eigen::Map<const Eigen::MatrixXd> const& Z,
+                               std::vector<std::vector<int>> dofs)
     : scale_(powerOfTwoFor(Z.diagonal()))
     , Z_((scale_ * Z).cast<Scalar>())
     , dofs_(std::move(dofs))
@@ -37,7 +37,7 @@ DenseSystem<Scalar>::DenseSystem(Eigen::Map<const Eigen::MatrixXd> const& Z,
 }
 
 template <class Scalar>
-void DenseSystem<Scalar>::read(NonlinearBlocks const& given)
+void KeptFactor<Scalar>::read(NonlinearBlocks const& given)
 {
   blocks_ = {toHost(given.hessian), toHost(given.truncated)};
   mask_.setOnes(Z_.rows());
@@ -52,7 +52,7 @@ void DenseSystem<Scalar>::read(NonlinearBlocks const& given)
 
 template <class Scalar>
 template <class Add>
-void DenseSystem<Scalar>::forEachHessianEntry(Add const& add) const
+void KeptFactor<Scalar>::forEachHessianEntry(Add const& add) const
 {
   for (std::size_t node = 0; node < dofs_.size(); ++node) {
     if (!blocks_.truncated(node)) {
@@ -67,7 +67,7 @@ void DenseSystem<Scalar>::forEachHessianEntry(Add const& add) const
 }
 
 template <class Scalar>
-void DenseSystem<Scalar>::readDiagonal()
+void KeptFactor<Scalar>::readDiagonal()
 {
   diagonal_ = Z_.diagonal();
   forEachHessianEntry([&](int row, int column, Scalar value) {
@@ -79,7 +79,7 @@ void DenseSystem<Scalar>::readDiagonal()
 // suffices where Z is nearly diagonal, as in the steps of a rupture: radiation damping or mass
 // outweigh the stress that a step adds.
 template <class Scalar>
-bool DenseSystem<Scalar>::prefersDiagonal() const
+bool KeptFactor<Scalar>::prefersDiagonal() const
 {
   const double taking_part = mask_.sum();
   const double product = 2. * static_cast<double>(Z_.size());
@@ -87,7 +87,7 @@ bool DenseSystem<Scalar>::prefersDiagonal() const
 }
 
 template <class Scalar>
-bool DenseSystem<Scalar>::factorise()
+bool KeptFactor<Scalar>::factorise()
 {
   factored_.clear();
   std::vector<int> place(Z_.rows(), -1);
@@ -115,7 +115,7 @@ bool DenseSystem<Scalar>::factorise()
 }
 
 template <class Scalar>
-auto DenseSystem<Scalar>::apply(Values const& x) const -> Values
+auto KeptFactor<Scalar>::apply(Values const& x) const -> Values
 {
   Values y = Z_.template selfadjointView<Eigen::Lower>() * x;
   forEachHessianEntry([&](int row, int column, Scalar value) { y(row) += value * x(column); });
@@ -123,7 +123,7 @@ auto DenseSystem<Scalar>::apply(Values const& x) const -> Values
 }
 
 template <class Scalar>
-auto DenseSystem<Scalar>::precondition(Values const& x) const -> Values
+auto KeptFactor<Scalar>::precondition(Values const& x) const -> Values
 {
   Values result = x.cwiseQuotient(diagonal_);
   Values part(factored_.size());
@@ -144,7 +144,7 @@ auto DenseSystem<Scalar>::precondition(Values const& x) const -> Values
 // iterations on some hundred unknowns. Eigen's solver does not stop where <r, z> <= 0, which means
 // that rounding has made the kept factor useless and a new one is needed.
 template <class Scalar>
-CorrectionResult DenseSystem<Scalar>::iterate(Values r, double relative_tolerance, Values& c) const
+CorrectionResult KeptFactor<Scalar>::iterate(Values r, double relative_tolerance, Values& c) const
 {
   CorrectionResult result;
   const double target = relative_tolerance * static_cast<double>(r.norm());
@@ -169,8 +169,8 @@ CorrectionResult DenseSystem<Scalar>::iterate(Values r, double relative_toleranc
 }
 
 template <class Scalar>
-CorrectionResult DenseSystem<Scalar>::solve(NonlinearBlocks const& blocks, Eigen::VectorXd const& r,
-                                            double relative_tolerance, Eigen::VectorXd& c)
+CorrectionResult KeptFactor<Scalar>::solve(NonlinearBlocks const& blocks, Eigen::VectorXd const& r,
+                                           double relative_tolerance, Eigen::VectorXd& c)
 {
   const multigrid::FlushDenormals
     flushed; // a condensed mass decays by orders of magnitude from node to node
@@ -202,6 +202,6 @@ CorrectionResult DenseSystem<Scalar>::solve(NonlinearBlocks const& blocks, Eigen
   return result;
 }
 
-template class DenseSystem<float>;
-template class DenseSystem<double>;
+template class KeptFactor<float>;
+template class KeptFactor<double>;
 } // namespace asperity::tnnmg::detail
