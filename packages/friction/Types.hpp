@@ -31,7 +31,7 @@ struct Response
 // The arguments of friction in addition to the velocity.
 struct StateAndStress
 {
-  ConstNodeView alpha;   // ln(theta V* / L)
+  ConstNodeView alpha;   // ln(theta V* / L), or what the law declares instead (LawProperties.hpp)
   ConstNodeView sigma_n; // normal stress, compression, >= 0, Pa
   // (num_nodes, T), m/s, added to the unknowns to give the velocity. At a node with one free and
   // one prescribed component it is the prescribed velocity in the latter, whose unknown is zero;

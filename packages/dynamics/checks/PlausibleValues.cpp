@@ -6,7 +6,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-struct Bounds
+struct PlausibleRange
 {
   double from, to;
 };
@@ -14,12 +14,12 @@ struct Bounds
 // The bounds lie a factor of about 3 beyond what has been measured.
 //
 // Density: foam rubber, in which Brune (1973) made stick slip, has about 30 kg/m^3; steel 7850.
-constexpr Bounds densities = {10, 25e3};
+constexpr PlausibleRange densities = {10, 25e3};
 // Shear modulus: gelatine of analogue subduction zones (Corbi et al. 2013) has about 1 kPa, the
 // lower mantle (PREM, Dziewonski & Anderson 1981) 290 GPa.
-constexpr Bounds shear_moduli = {300, 1e12};
+constexpr PlausibleRange shear_moduli = {300, 1e12};
 // c_s: gelatine 1 to 10 m/s; the lower mantle 7.3 km/s.
-constexpr Bounds shear_speeds = {0.3, 22e3};
+constexpr PlausibleRange shear_speeds = {0.3, 22e3};
 // The slowest sediments, clay and silt at the sea floor, have 10 m/s (Osler and Chapman 1996) and
 // more than 1300 kg/m^3; gels have 1100 kg/m^3. A material that is denser than gels and slower than
 // 5 m/s is neither: rock whose modulus is given in MPa has 3 m/s. So
@@ -29,7 +29,7 @@ constexpr double speed_of_sediment = 5;
 // Normal stress over shear modulus: from 3e-6 on creeping faults with nearly lithostatic pore
 // pressure (0.1 MPa over 30 GPa) to 0.1 in blocks of gel that bear their own weight (Corbi et al.
 // 2013).
-constexpr Bounds stress_ratios = {1e-7, 0.3};
+constexpr PlausibleRange stress_ratios = {1e-7, 0.3};
 
 // One number where both look the same.
 std::string interval(Extremes const& values)
@@ -43,12 +43,12 @@ std::string where(BesideFault const& values)
   return values.has_fault ? "beside the fault" : "in the body";
 }
 
-bool isOutside(Extremes const& values, Bounds const& bounds)
+bool isOutside(Extremes const& values, PlausibleRange const& bounds)
 {
   return values.smallest < bounds.from || values.largest > bounds.to;
 }
 
-std::string outside(Bounds const& bounds, std::string const& unit)
+std::string outside(PlausibleRange const& bounds, std::string const& unit)
 {
   return ", outside the range of rocks, gels and foams, " + formatShort(bounds.from) + " to " +
          formatShort(bounds.to) + (unit.empty() ? "" : " " + unit) + ".";

@@ -19,7 +19,7 @@ struct WaveScale
 //
 //   e = c tau (a1 - a0) (p = 1),   e = c tau^2 (j1 - j0) (p = 2)
 //
-// What counts is its largest component anywhere, c_s |e| / S with the slip factor c_s and
+// What counts is its largest component anywhere, chi |e| / S with the slip factor chi and
 // S = b sigma_n / Z + V for the peak slip rate V. A wave of velocity e that arrives changes
 // friction by about Z e. So where the fault is slow this is the change of alpha that would do the
 // same, and where it is fast the relative error of V.
@@ -30,7 +30,7 @@ public:
   WaveError(Body const& body, fem::FaultSurface const& surface, RateUpdate const& update,
             WaveScale const& scale);
 
-  // weight c_s |e| / S of steps of tau [s] that lead from one state to the other; 0 in a body
+  // weight chi |e| / S of steps of tau [s] that lead from one state to the other; 0 in a body
   // without mass. Collective.
   double errorBetween(State const& from, State const& to, double tau) const;
 

@@ -56,6 +56,8 @@ public:
   FaultProcesses const& processes() const { return processes_; }
 
   // What friction depends on in a state: its alpha and sigma_n, or what all processes make of them.
+  // If there are processes, each call allocates memory, so that the result stays valid; iterations
+  // of a step keep a FrictionInput instead. The same holds for effectiveStress().
   friction::StateAndStress given(State const& state) const
   {
     return FrictionInput(processes_, surface_->numNodes()).at(state);

@@ -9,7 +9,8 @@ namespace asperity::dynamics
 {
 // The pressure between the body and a rigid foundation at the nodes of a fault [Pa], (num_nodes),
 // in the static state u; positive in compression. It is the reaction K u - load across the fault
-// divided by support(num_nodes), see fem::supportWeights. u and load live on the owned dofs.
+// divided by support(num_nodes), see fem::supportWeights. u and load live on the owned dofs. Unlike
+// NormalReaction::compression it has a value where the fault does not slide, too.
 std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const& frames,
                                        fem::FaultSurface const& surface,
                                        std::vector<double> const& support, Vector const& load,

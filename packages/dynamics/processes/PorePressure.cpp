@@ -2,9 +2,9 @@
 //
 //   S w p_t = div(k w / eta grad p) + q,    sigma_eff = max(0, sigma - p)
 //
-// and flows with Darcy's velocity -k / eta grad p,
 // with the storage S (compressibility times porosity), the width w, the permeability k, the
-// viscosity eta and the rates q of wells, on the surface of the fault. Where k changes
+// viscosity eta and the rates q of wells, on the surface of the fault. Darcy's velocity is
+// -k / eta grad p. Where k changes
 // (Permeability.hpp), each step has that of its middle: steps stay of second order, but for changes
 // of sigma, which count from the step after.
 #include "base/Errors.hpp"

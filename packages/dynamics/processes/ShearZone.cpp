@@ -14,7 +14,6 @@ namespace
 // Below the smallest, modes do not decay: heat that has spread over w / 1e-8, after 1e16 w^2 /
 // alpha_th, stays at the fault.
 constexpr double smallest_wavenumber = 1e-8, largest_wavenumber = 6;
-constexpr double pi = 3.14159265358979323846;
 
 // (1 - exp(-x)) / x for x >= 0.
 KOKKOS_INLINE_FUNCTION double meanDecay(double x) { return x > 0 ? -math::expm1(-x) / x : 1; }
@@ -58,10 +57,10 @@ ShearZone::ShearZone(Properties properties, int num_modes) : properties_(std::mo
   const double spacing = std::log(largest_wavenumber / smallest_wavenumber) / (num_positive - 1);
   for (int i = 0; i < num_positive; ++i) {
     const double D = largest_wavenumber * std::exp(-spacing * i);
-    modes_.push_back({D, std::exp(-D * D / 2), spacing * D / pi});
+    modes_.push_back({D, std::exp(-D * D / 2), spacing * D / M_PI});
   }
   // The sum over the rest of the grid, where the modes are those of k = 0.
-  modes_.push_back({0, 1, spacing * smallest_wavenumber / (pi * std::expm1(spacing))});
+  modes_.push_back({0, 1, spacing * smallest_wavenumber / (M_PI * std::expm1(spacing))});
 }
 
 void ShearZone::pressureAfter(Modes const& before, double tau, NodeView const& rest,

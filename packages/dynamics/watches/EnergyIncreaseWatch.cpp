@@ -17,11 +17,10 @@ std::optional<Warning> EnergyIncreaseWatch::note(std::int64_t count)
   next_warning_ = 10 * count;
   return Warning{
     "energy increase",
-    "J grew in " + std::to_string(count) +
-      " sweeps or corrections of TNNMG (energy_increases in steps.csv) by more than rounding. J is "
-      "the "
-      "energy that every time step minimises; it must fall. Results of these steps may be wrong: "
-      "please report this with the deck."};
+    "J grew " + (count == 1 ? "once" : std::to_string(count) + " times") +
+      " in sweeps or corrections of TNNMG (energy_increases in steps.csv) by more than rounding. J "
+      "is the energy that every time step minimises; it must fall. Results of these steps may be "
+      "wrong: please report this with the deck."};
 }
 } // namespace asperity::dynamics
 

@@ -14,7 +14,8 @@ struct RateSolution
 };
 
 // The slip rate V at which drag V + strength mu(V) = load; drag > 0 in N s/m, strength >= 0 and
-// load > 0 in N. The left-hand side grows with V from 0, hence 0 < V <= load / drag.
+// load > 0 in N. The left-hand side grows with V, hence 0 < V <= load / drag. It starts from 0, but
+// from strength mu(0) under a law with onset(); a load up to that gives V = 0.
 //
 // Newton's method in the variable V^p, which is exact where the curve is logarithmic in V (p = 0)
 // and where it is linear (p = 1): p is chosen such that the second derivative vanishes, so the

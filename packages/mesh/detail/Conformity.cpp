@@ -14,7 +14,6 @@ namespace
 // Facets overlap if the angle between them is smaller than this [rad]. It exceeds the rounding of
 // coordinates in single precision (6e-8 of the body's size) in a body a thousand cells long.
 constexpr double smallest_angle = 1e-4;
-constexpr double pi = 3.14159265358979323846;
 
 template <int Dim>
 double length(Point<Dim> const& vector)
@@ -68,12 +67,12 @@ bool overlap(Arms<3> const& a, Arms<3> const& b)
   }
   const double end = angleIn(first, second, a[1]); // of the sector that begins at 0
   double begin_b = angleIn(first, second, b[0]);
-  double width_b = std::remainder(angleIn(first, second, b[1]) - begin_b, 2.0 * pi);
+  double width_b = std::remainder(angleIn(first, second, b[1]) - begin_b, 2.0 * M_PI);
   if (width_b < 0.0) {
     begin_b += width_b;
     width_b = -width_b;
   }
-  for (const double turn : {-2.0 * pi, 0.0, 2.0 * pi}) {
+  for (const double turn : {-2.0 * M_PI, 0.0, 2.0 * M_PI}) {
     const double begin = begin_b + turn;
     if (std::min(end, begin + width_b) - std::max(0.0, begin) > smallest_angle) {
       return true;

@@ -16,8 +16,9 @@ TEST(EnergyIncreaseWatch, WarnsOfTheFirstAndOfTenTimesAsMany)
   // tests/support/asperity_run.py looks for the first words in what every run prints.
   asperity::test::expectParts(
     "WARNING: " + warning->text,
-    {"WARNING: J grew in 2 sweeps or corrections of TNNMG (energy_increases in "
+    {"WARNING: J grew 2 times in sweeps or corrections of TNNMG (energy_increases in "
      "steps.csv)"});
+  EXPECT_EQ(EnergyIncreaseWatch().note(1)->text.find("J grew once in sweeps"), 0u);
   EXPECT_FALSE(watch.note(19));
   EXPECT_TRUE(watch.note(20));
 }
