@@ -50,6 +50,52 @@ double crossingTime(fem::Material const& material, double length)
 {
   return length * std::sqrt(material.density / material.shear_modulus);
 }
+// The smallest values over nodes; of the largest ones the smallest with the opposite sign.
+struct Minima
+{
+  static constexpr double none = std::numeric_limits<double>::max();
+  double smallest_cell = none;
+  double minus_largest_cell = none;
+  double cohesive_zone = none;
+  double nucleation_length = none;
+  double unstable_wavelength = none;
+  double cells_per_zone = none;
+  double minus_cell_height = none;
+  double slip_distance = none;
+  double seismic_time = none;
+  double crossing_time = none;
+
+  void include(Minima const& other);
+  Minima overRanks(Communicator const& communicator) const;
+};
+
+constexpr std::array minima_members = {&Minima::smallest_cell,       &Minima::minus_largest_cell,
+                                       &Minima::cohesive_zone,       &Minima::nucleation_length,
+                                       &Minima::unstable_wavelength, &Minima::cells_per_zone,
+                                       &Minima::minus_cell_height,   &Minima::slip_distance,
+                                       &Minima::seismic_time,        &Minima::crossing_time};
+static_assert(sizeof(Minima) == minima_members.size() * sizeof(double), "every member is listed");
+
+void Minima::include(Minima const& other)
+{
+  for (auto const member : minima_members) {
+    this->*member = std::min(other.*member, this->*member);
+  }
+}
+
+Minima Minima::overRanks(Communicator const& communicator) const
+{
+  std::array<double, minima_members.size()> values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    values[i] = this->*minima_members[i];
+  }
+  values = minOverRanks(values, communicator);
+  Minima result;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    result.*minima_members[i] = values[i];
+  }
+  return result;
+}
 } // namespace
 
 double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side)
@@ -206,9 +252,7 @@ std::optional<FaultResolution> faultResolution(FaultPlaces const& places, int co
                                                FrictionOfNodes const& friction,
                                                Communicator const& communicator)
 {
-  // Minima; values with the opposite sign give maxima.
-  std::array<double, 10> mine;
-  mine.fill(std::numeric_limits<double>::max());
+  Minima mine;
   double weakening = 0;
   bool weakens_everywhere = true;
   for (std::size_t i = 0; i < places.cells.size(); ++i) {
@@ -220,39 +264,40 @@ std::optional<FaultResolution> faultResolution(FaultPlaces const& places, int co
     }
     weakening += places.weights[i];
     auto const& cells = places.cells[i];
-    const double distance = friction.L[i];
-    const std::array<double, 10> values = {
-      cells.smallest,
-      -cells.largest,
-      here->zone,
-      here->nucleation,
-      here->wavelength,
-      here->zone / cells.largest,
-      -cells.height,
-      distance,
-      distance / seismicRate(materials[i], places.other_side, here->stress_drop),
-      crossingTime(materials[i], cells.smallest)};
-    std::transform(values.begin(), values.end(), mine.begin(), mine.begin(),
-                   [](double x, double y) { return std::min(x, y); });
+    Minima at_node;
+    at_node.smallest_cell = cells.smallest;
+    at_node.minus_largest_cell = -cells.largest;
+    at_node.cohesive_zone = here->zone;
+    at_node.nucleation_length = here->nucleation;
+    at_node.unstable_wavelength = here->wavelength;
+    at_node.cells_per_zone = here->zone / cells.largest;
+    at_node.minus_cell_height = -cells.height;
+    at_node.slip_distance = friction.L[i];
+    at_node.seismic_time =
+      friction.L[i] / seismicRate(materials[i], places.other_side, here->stress_drop);
+    at_node.crossing_time = crossingTime(materials[i], cells.smallest);
+    mine.include(at_node);
   }
-  auto const all = minOverRanks(mine, communicator);
-  if (all[1] > 0) {
+  auto const all = mine.overRanks(communicator);
+  if (all.minus_largest_cell > 0) { // no node weakens
     return std::nullopt;
   }
   const double measure = sumOverRanks(weakening, communicator);
-  return FaultResolution{all[0],
-                         -all[1],
-                         all[2],
-                         all[3],
-                         all[4],
-                         all[5],
-                         -all[6],
-                         stiffnessError(components, -all[6], 4 * all[5]),
-                         all[7],
-                         all[8],
-                         all[9],
-                         places.dimension == 2 ? measure : std::sqrt(measure),
-                         minOverRanks(weakens_everywhere ? 1 : 0, communicator) == 1};
+  FaultResolution result{};
+  result.smallest_cell = all.smallest_cell;
+  result.largest_cell = -all.minus_largest_cell;
+  result.cohesive_zone = all.cohesive_zone;
+  result.nucleation_length = all.nucleation_length;
+  result.unstable_wavelength = all.unstable_wavelength;
+  result.cells_per_zone = all.cells_per_zone;
+  result.cell_height = -all.minus_cell_height;
+  result.too_stiff = stiffnessError(components, result.cell_height, 4 * result.cells_per_zone);
+  result.slip_distance = all.slip_distance;
+  result.seismic_time = all.seismic_time;
+  result.crossing_time = all.crossing_time;
+  result.weakening_length = places.dimension == 2 ? measure : std::sqrt(measure);
+  result.weakens_everywhere = minOverRanks(weakens_everywhere ? 1 : 0, communicator) == 1;
+  return result;
 }
 
 template <int Dim>

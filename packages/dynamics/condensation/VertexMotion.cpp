@@ -16,7 +16,7 @@ std::size_t RecoveryRows::length() const
 bool RecoveryRows::add(std::vector<int> const& dofs)
 {
   if (dofs.size() * length() >= condensation_.factorEntries()) {
-    num_refused_ = std::max(num_refused_, dofs.size());
+    are_refused_ = true;
     return false;
   }
   for (int dof : dofs) {
@@ -25,25 +25,6 @@ bool RecoveryRows::add(std::vector<int> const& dofs)
     }
   }
   return true;
-}
-
-std::string RecoveryRows::report() const
-{
-  const std::string whole = std::to_string(condensation_.factorEntries()) + " for the whole body";
-  const std::string by_length = " times " + std::to_string(length());
-  std::string text;
-  if (!rows_.empty()) {
-    text = "Receivers: " + std::to_string(rows_.size()) + by_length +
-           " products give the motion of the body at them, instead of " + whole + '.';
-  }
-  if (num_refused_ > 0) {
-    text += (text.empty() ? "" : " ") +
-            ("Receivers: there are so many that every row computes the motion of "
-             "the whole body, " +
-             std::to_string(condensation_.factorEntries()) +
-             " products for each field. Choose fewer receivers, or a larger Every n Steps.");
-  }
-  return text;
 }
 
 double RecoveryRows::value(int dof, double const* x) const

@@ -6,7 +6,6 @@
 
 #include <map>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace asperity::dynamics
@@ -24,13 +23,14 @@ public:
   double value(int dof, double const* x) const;
   std::size_t size() const { return rows_.size(); }
   std::size_t length() const; // of a row
-  // For the log: the cost of the rows, or why there are none; "" if none were requested. Receivers
-  // on the fault have rows, too, for the motion of the body.
-  std::string report() const;
+  // The products that the motion of the whole body costs, instead of size() * length().
+  std::size_t productsOfBody() const { return condensation_.factorEntries(); }
+  // Whether add() has ever made no rows because there would have been too many.
+  bool haveBeenRefused() const { return are_refused_; }
 
 private:
   StaticCondensation const& condensation_;
-  std::size_t num_refused_ = 0; // dofs of the largest request
+  bool are_refused_ = false;
   std::map<int, std::vector<double>> rows_;
 };
 

@@ -1,6 +1,7 @@
 #include "dynamics/fault/FaultMotion.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "friction/Length.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/RateMatrix.hpp"
 
@@ -156,22 +157,25 @@ void setZeroSlipRate(fem::FaultSurface const& surface, Vector& v)
 
 void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeView const& V)
 {
-  const int size = surface.numTangents();
+  const bool is_plane = surface.numTangents() == 1;
   const double factor = surface.slipFactor();
   Kokkos::parallel_for(
     "asperity::dynamics::slipRate", RangePolicy(0, surface.numNodes()), KOKKOS_LAMBDA(int node) {
-      double largest = 0;
-      for (int k = 0; k < size; ++k) {
-        const double magnitude = v(node, k) < 0 ? -v(node, k) : v(node, k);
-        largest = largest > magnitude ? largest : magnitude;
-      }
-      // In units of the largest component, since the square of a slow rate underflows.
-      double square = 0;
-      for (int k = 0; k < size && largest > 0; ++k) {
-        square += (v(node, k) / largest) * (v(node, k) / largest);
-      }
-      V(node) = factor * (size == 1 ? largest : largest * math::sqrt(square));
+      V(node) = factor * (is_plane ? friction::length({v(node, 0)})
+                                   : friction::length({v(node, 0), v(node, 1)}));
     });
+}
+
+double largestOf(ConstNodeView const& values)
+{
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::largest", RangePolicy(0, values.extent(0)),
+    KOKKOS_LAMBDA(int node, double& largest) {
+      largest = values(node) > largest ? values(node) : largest;
+    },
+    Kokkos::Max<double>(result));
+  return std::max(result, 0.); // a rank may have no nodes
 }
 
 double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)

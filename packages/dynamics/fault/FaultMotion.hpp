@@ -48,6 +48,9 @@ void setZeroSlipRate(fem::FaultSurface const& surface, Vector& v);
 // on the device.
 void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeView const& V);
 
+// The largest of values(num_nodes) on this rank, at least 0.
+double largestOf(ConstNodeView const& values);
+
 // The largest of the slip rates V(num_nodes) [m/s] over all ranks, at nodes that count
 // (fem::FaultSurface::counts). Collective.
 double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V);

@@ -9,17 +9,23 @@
 #include "parameters/Entries.hpp"
 #include "portability/Renamed.hpp"
 
-#include <algorithm>
+#include <string>
 
 namespace asperity::dynamics
 {
 namespace
 {
 constexpr char const* of_pressure = "fluid_pressure";
+constexpr char const* of_temperature = "temperature";
 
 NodeView const& pressureOf(State const& state) { return state.at(of_pressure); }
 
-// The fields of the process in a state, which follow one another in this order.
+std::string nameOfMode(char const* quantity, int mode)
+{
+  return std::string(quantity) + "_mode_" + std::to_string(mode);
+}
+
+// The fields of the process in a state.
 struct ZoneFields
 {
   NodeView pressure, temperature; // at y = 0
@@ -27,14 +33,11 @@ struct ZoneFields
 
   ZoneFields(State const& state, int num_modes)
   {
-    auto field = std::find_if(state.added.begin(), state.added.end(),
-                              [](auto const& added) { return added.info->name == of_pressure; });
-    pressure = (field++)->values;
-    temperature = (field++)->values;
-    for (auto* list : {&modes.temperature, &modes.pressure}) {
-      for (int i = 0; i < num_modes; ++i) {
-        list->push_back((field++)->values);
-      }
+    pressure = pressureOf(state);
+    temperature = state.at(of_temperature);
+    for (int i = 0; i < num_modes; ++i) {
+      modes.temperature.push_back(state.at(nameOfMode("temperature", i)));
+      modes.pressure.push_back(state.at(nameOfMode("pressure", i)));
     }
   }
 };
@@ -237,12 +240,12 @@ std::vector<State::Added> ThermalPressurisation::fields(State const&) const
   constexpr bool is_guessed = true;
   Kokkos::deep_copy(add({of_pressure, "pressure of the fluid in the fault", "Pa", is_guessed}),
                     zone_->properties().pressure);
-  Kokkos::deep_copy(add({"temperature", "temperature of the fault", "K"}),
+  Kokkos::deep_copy(add({of_temperature, "temperature of the fault", "K"}),
                     zone_->properties().temperature);
   for (auto const& [name, unit] :
        {std::pair("temperature", "K m"), std::pair("pressure", "Pa m")}) {
     for (int i = 0; i < zone_->numModes(); ++i) {
-      add({std::string(name) + "_mode_" + std::to_string(i),
+      add({nameOfMode(name, i),
            std::string(name) + " of mode " + std::to_string(i) + " across the fault", unit});
     }
   }

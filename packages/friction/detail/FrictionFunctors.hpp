@@ -1,5 +1,6 @@
 #pragma once
 
+#include "friction/Length.hpp"
 #include "friction/detail/NodePotentials.hpp"
 
 // There is one functor for each kernel of FrictionKernels, whose comments say what they compute. v,

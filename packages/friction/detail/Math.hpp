@@ -63,23 +63,5 @@ KOKKOS_INLINE_FUNCTION double meanLog(double low, double width, double x0, doubl
   }
   return x0 + (1 + low / width) * (x1 - x0) - 1;
 }
-
-// Euclidean length without underflow or overflow, T = 1 or 2.
-template <int T>
-KOKKOS_INLINE_FUNCTION double length(double const (&vector)[T])
-{
-  const double x = math::fabs(vector[0]);
-  if constexpr (T == 1) {
-    return x;
-  } else {
-    const double y = math::fabs(vector[1]);
-    const double longer = larger(x, y);
-    if (longer == 0 || !isFinite(longer)) {
-      return x + y; // it is 0 or not finite
-    }
-    const double ratio = smaller(x, y) / longer;
-    return longer * math::sqrt(1 + ratio * ratio);
-  }
-}
 } // namespace detail
 } // namespace asperity::friction

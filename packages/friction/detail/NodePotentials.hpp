@@ -1,5 +1,6 @@
 #pragma once
 
+#include "friction/Length.hpp"
 #include "friction/Parameter.hpp"
 #include "friction/Types.hpp"
 #include "friction/detail/NodePotential.hpp"

@@ -6,6 +6,7 @@
 #include "catalogue/FaultFacts.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "scenario/report/FaultSense.hpp"
+#include "scenario/report/ReceiverCost.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 
 namespace asperity::scenario
@@ -220,8 +221,10 @@ void Simulation<Dim>::begin()
                     " s, has passed: there is nothing to do. Give a later 'Time Stepping / "
                     "Final Time' to go on.");
   }
-  if (auto const& rows = evolution_.view().recovery_rows; rows && !rows->report().empty()) {
-    record_.message(rows->report());
+  if (auto const& rows = evolution_.view().recovery_rows) {
+    if (auto const cost = describeReceiverCost(*rows); !cost.empty()) {
+      record_.message(cost);
+    }
   }
   start = {};
 }

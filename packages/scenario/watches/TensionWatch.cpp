@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_Vector.hpp>
@@ -39,18 +40,6 @@ double largestShear(fem::FaultSurface const& surface, Vector const& all)
     },
     Kokkos::Max<double>(result));
   return std::max(result, 0.);
-}
-
-double largestOf(ConstNodeView const& values)
-{
-  double result = 0;
-  Kokkos::parallel_reduce(
-    "asperity::scenario::largest", RangePolicy(0, values.extent(0)),
-    KOKKOS_LAMBDA(int node, double& largest) {
-      largest = values(node) > largest ? values(node) : largest;
-    },
-    Kokkos::Max<double>(result));
-  return std::max(result, 0.); // a rank may have no nodes
 }
 
 // tension := tension + start - sigma_0 where the node slides, else 0; it has -R before.
@@ -116,8 +105,8 @@ TensionWatch::Tension TensionWatch::tensionAt(Vector const& force, double time)
   reaction.gather(force, R_); // l - M a - C v - K u, against which the reaction of the body acts
   reaction.compression(R_, R_);
   setTension(surface, since_start_.at_start, sigma_0_, R_);
-  const std::array<double, 3> mine = {largestOf(sigma_0_), largestShear(surface, force),
-                                      largestOf(R_)};
+  const std::array<double, 3> mine = {dynamics::largestOf(sigma_0_), largestShear(surface, force),
+                                      dynamics::largestOf(R_)};
   auto const all = maxOverRanks(mine, communicator);
   const double least =
     std::max(of_normal_stress * all[0], of_shear_stress * std::max(all[1], loads_));
