@@ -2,13 +2,14 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
+#include "dynamics/observables/DofSums.hpp"
+#include "dynamics/observables/StartForces.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -16,13 +17,10 @@ namespace asperity::dynamics
 {
 namespace
 {
-auto reading(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
-using Values = decltype(reading(std::declval<Vector const&>())); // (num owned dofs, 1)
-
 // A force at a dof over a step: the mean over the ends of the step, and the work in it.
 struct ForceOfStep
 {
-  Values u0, u1, f0, f1;
+  DofValues u0, u1, f0, f1;
   KOKKOS_INLINE_FUNCTION double mean(int dof) const { return (f0(dof, 0) + f1(dof, 0)) / 2; }
   KOKKOS_INLINE_FUNCTION double motion(int dof) const { return u1(dof, 0) - u0(dof, 0); }
   KOKKOS_INLINE_FUNCTION double operator()(int dof) const { return mean(dof) * motion(dof); }
@@ -31,49 +29,22 @@ struct ForceOfStep
 // The mean displacement over a step times the change of a force.
 struct WorkOfChange
 {
-  Values u0, u1, f0, f1;
+  DofValues u0, u1, f0, f1;
   KOKKOS_INLINE_FUNCTION double operator()(int dof) const
   {
     return (u0(dof, 0) + u1(dof, 0)) / 2 * (f1(dof, 0) - f0(dof, 0));
   }
 };
 
-struct Square
-{
-  Values x;
-  KOKKOS_INLINE_FUNCTION double operator()(int dof) const { return x(dof, 0) * x(dof, 0); }
-};
-
 // l - M a - C v - K u at a dof.
 struct Residual
 {
-  Values load, inertial, viscous, elastic;
+  DofValues load, inertial, viscous, elastic;
   KOKKOS_INLINE_FUNCTION double operator()(int dof) const
   {
     return load(dof, 0) - inertial(dof, 0) - viscous(dof, 0) - elastic(dof, 0);
   }
 };
-
-// Sums over this rank's dofs, or over some of them.
-template <class Value>
-double sumOfAll(int num_dofs, Value const& value)
-{
-  double sum = 0;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::sumOfAll", RangePolicy(0, num_dofs),
-    KOKKOS_LAMBDA(int dof, double& part) { part += value(dof); }, sum);
-  return sum;
-}
-
-template <class Value>
-double sumAt(IndexView const& dofs, Value const& value)
-{
-  double sum = 0;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::sumAt", RangePolicy(0, dofs.extent_int(0)),
-    KOKKOS_LAMBDA(int i, double& part) { part += value(dofs(i)); }, sum);
-  return sum;
-}
 
 // Sets the result at the dofs of the fault to friction, at nodes at rest to the residual, which
 // friction balances, and at held dofs to the reaction. A node rests under back slip, too, where the
@@ -115,8 +86,8 @@ struct TakenFromPlates
 // What the motion of the plates adds to the works, at this rank's nodes in a step of tau [s] with
 // the velocities v0 and v1 at its ends.
 TakenFromPlates takenFromPlates(fem::FaultSurface const& surface, ConstNodeView const& eta,
-                                double tau, ForceOfStep const& force, Values const& v0,
-                                Values const& v1)
+                                double tau, ForceOfStep const& force, DofValues const& v0,
+                                DofValues const& v1)
 {
   const double factor = surface.slipFactor();
   auto const dofs = surface.dofs();
@@ -227,61 +198,13 @@ void EnergyBalance::fillForce(State const& state, Snapshot const& at)
 void EnergyBalance::start(State const& state)
 {
   resume(state, {});
+  const StartForces forces = {*before_.load, before_.resisting, *before_.force};
   if (body_.matrices.is_massless) {
-    noteImbalance();
+    start_residual_ = residualAtStart(body_, forces);
+    start_imbalance_ = dynamics::startImbalance(body_, fault_dofs_, forces, *start_residual_);
   } else {
-    noteContradiction();
+    start_contradiction_ = dynamics::startContradiction(body_, fault_.surface(), forces);
   }
-}
-
-void EnergyBalance::noteImbalance()
-{
-  start_residual_ = body_.vector();
-  start_residual_->update(1, *before_.load, 0);
-  before_.resisting.subtractFrom(*start_residual_);
-  start_residual_->update(-1, *before_.force, 1);
-  body_.clearHeld(*start_residual_);
-
-  const Square of_r0{reading(*start_residual_)};
-  const auto [everywhere, on_fault, of_friction] = sumOverRanks(
-    std::array<double, 3>{sumOfAll(body_.numOwnedDofs(), of_r0), sumAt(fault_dofs_, of_r0),
-                          sumAt(fault_dofs_, Square{reading(*before_.force)})},
-    *body_.dofs->communicator());
-  const auto ratio = [](double part, double whole) { return part > 0 ? part / whole : 0; };
-  const double whole = std::max({before_.load->norm2(), before_.resisting.elastic->norm2(),
-                                 before_.resisting.viscous->norm2()});
-  start_imbalance_ = std::max(std::sqrt(ratio(on_fault, std::max(on_fault, of_friction))),
-                              std::sqrt(ratio(std::max(everywhere - on_fault, 0.), whole * whole)));
-}
-
-void EnergyBalance::noteContradiction()
-{
-  auto const driving = body_.vector();
-  driving->update(1, *before_.load, 0);
-  before_.resisting.subtractFrom(*driving);
-  driving->update(1, *before_.resisting.inertial, 1);
-
-  constexpr double least_part = 0.01;
-  auto const& surface = fault_.surface();
-  auto const drives = driving->getData(0), resists = before_.force->getData(0);
-  std::array<double, 2> area{}; // where friction acts with what drives the fault, and all of it
-  for (int i = 0; i < surface.numNodes(); ++i) {
-    if (!surface.slides(i)) {
-      continue;
-    }
-    double product = 0, square = 0;
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      const int dof = surface[i].dofs[k];
-      if (!surface.held(i, k)) {
-        product += drives[dof] * resists[dof];
-        square += resists[dof] * resists[dof];
-      }
-    }
-    area[0] += product < -least_part * square ? surface[i].weight : 0;
-    area[1] += surface[i].weight;
-  }
-  area = sumOverRanks(area, *body_.dofs->communicator());
-  start_contradiction_ = area[0] > 0 ? area[0] / area[1] : 0;
 }
 
 void EnergyBalance::resume(State const& state, Energy const& so_far)

@@ -62,15 +62,9 @@ public:
   void start(State const& state);
   // Continues a run from the state at the end of a step, with the works done so far.
   void resume(State const& state, Energy const& so_far);
-  // How far a quasi-dynamic body was out of balance at the start, the larger one of
-  //   on the fault      |r0| / max(|f|, |r0|)
-  //   inside the body   |r0| / max(|l|, |K u|, |C v|), these three everywhere
-  // in Euclidean norms over unknowns that are not held; 0 for a body with inertia, and after
-  // resume().
+  // Of StartForces.hpp: dynamics::startImbalance of a quasi-dynamic body, startContradiction of one
+  // with inertia; 0 for others, and after resume().
   double startImbalance() const { return start_imbalance_; }
-  // The part of the fault's sliding area, in [0, 1], where friction at the start of a body with
-  // inertia acts in the direction of the forces that drive the fault, l - C v - K u, by more than a
-  // hundredth of its size, rather than against them; 0 for others, and after resume().
   double startContradiction() const { return start_contradiction_; }
   // Adds the step that ends in the given state. Collective.
   Energy const& advance(State const& state);
@@ -98,8 +92,6 @@ private:
     double load = 0, boundary = 0, friction = 0, viscous = 0, inelastic = 0, inertial = 0;
   };
   Snapshot snapshot() const;
-  void noteImbalance();
-  void noteContradiction();
   void fill(State const& state, Snapshot& result);
   void fillForce(State const& state, Snapshot const& at);
   Works worksOfStep() const;
