@@ -10,6 +10,14 @@
 
 namespace asperity::dynamics
 {
+// What the rows cost, in products for each field.
+struct RecoveryCost
+{
+  std::size_t num_rows = 0, row_length = 0; // the motion by rows: num_rows row_length products
+  std::size_t of_body = 0;                  // products of the motion of the whole body
+  bool are_refused = false; // whether add() has made no rows since there would be too many
+};
+
 // Rows of StaticCondensation::expand by the dof of the whole body, each made once.
 class RecoveryRows
 {
@@ -23,10 +31,10 @@ public:
   double value(int dof, double const* x) const;
   std::size_t size() const { return rows_.size(); }
   std::size_t length() const; // of a row
-  // The products that the motion of the whole body costs, instead of size() * length().
-  std::size_t productsOfBody() const { return condensation_.factorEntries(); }
-  // Whether add() has ever made no rows because there would have been too many.
-  bool haveBeenRefused() const { return are_refused_; }
+  RecoveryCost cost() const
+  {
+    return {size(), length(), condensation_.factorEntries(), are_refused_};
+  }
 
 private:
   StaticCondensation const& condensation_;

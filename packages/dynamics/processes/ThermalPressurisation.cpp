@@ -16,7 +16,7 @@ namespace asperity::dynamics
 namespace
 {
 constexpr char const* of_pressure = "fluid_pressure";
-constexpr char const* of_temperature = "temperature";
+constexpr char const* name_of_temperature = "temperature";
 
 NodeView const& pressureOf(State const& state) { return state.at(of_pressure); }
 
@@ -34,7 +34,7 @@ struct ZoneFields
   ZoneFields(State const& state, int num_modes)
   {
     pressure = pressureOf(state);
-    temperature = state.at(of_temperature);
+    temperature = state.at(name_of_temperature);
     for (int i = 0; i < num_modes; ++i) {
       modes.temperature.push_back(state.at(nameOfMode("temperature", i)));
       modes.pressure.push_back(state.at(nameOfMode("pressure", i)));
@@ -240,7 +240,7 @@ std::vector<State::Added> ThermalPressurisation::fields(State const&) const
   constexpr bool is_guessed = true;
   Kokkos::deep_copy(add({of_pressure, "pressure of the fluid in the fault", "Pa", is_guessed}),
                     zone_->properties().pressure);
-  Kokkos::deep_copy(add({of_temperature, "temperature of the fault", "K"}),
+  Kokkos::deep_copy(add({name_of_temperature, "temperature of the fault", "K"}),
                     zone_->properties().temperature);
   for (auto const& [name, unit] :
        {std::pair("temperature", "K m"), std::pair("pressure", "Pa m")}) {

@@ -2,16 +2,17 @@
 
 namespace asperity::scenario
 {
-std::string describeReceiverCost(dynamics::RecoveryRows const& rows)
+std::string describeReceiverCost(dynamics::RecoveryCost const& cost)
 {
-  const std::string of_body = std::to_string(rows.productsOfBody());
+  const std::string of_body = std::to_string(cost.of_body);
   std::string text;
-  if (rows.size() > 0) {
-    text = "Receivers: " + std::to_string(rows.size()) + " times " + std::to_string(rows.length()) +
+  if (cost.num_rows > 0) {
+    text = "Receivers: " + std::to_string(cost.num_rows) + " times " +
+           std::to_string(cost.row_length) +
            " products give the motion of the body at them, instead of " + of_body +
            " for the whole body.";
   }
-  if (rows.haveBeenRefused()) {
+  if (cost.are_refused) {
     text += std::string(text.empty() ? "" : " ") +
             "Receivers: there are so many that every row computes the motion of the whole body, " +
             of_body +

@@ -222,8 +222,8 @@ void Simulation<Dim>::begin()
                     "Final Time' to go on.");
   }
   if (auto const& rows = evolution_.view().recovery_rows) {
-    if (auto const cost = describeReceiverCost(*rows); !cost.empty()) {
-      record_.message(cost);
+    if (auto const text = describeReceiverCost(rows->cost()); !text.empty()) {
+      record_.message(text);
     }
   }
   start = {};

@@ -113,13 +113,13 @@ TEST(StaticCondensation, RowsAreCountedWhereverTheirReceiversAre)
   EXPECT_EQ(rows.size(), 0u);
   ASSERT_TRUE(rows.add({model.dofs->dof(model.surface->vertex(1), 0)})); // on the fault
   EXPECT_EQ(rows.size(), 1u);
-  EXPECT_FALSE(rows.haveBeenRefused());
+  EXPECT_FALSE(rows.cost().are_refused);
 
   std::vector<int> all(whole.body.numOwnedDofs());
   std::iota(all.begin(), all.end(), 0);
-  const bool has_room = all.size() * rows.length() < rows.productsOfBody();
+  const bool has_room = all.size() * rows.length() < rows.cost().of_body;
   EXPECT_EQ(rows.add(all), has_room);
-  EXPECT_EQ(rows.haveBeenRefused(), !has_room);
+  EXPECT_EQ(rows.cost().are_refused, !has_room);
 }
 
 TEST(StaticCondensation, StepsAreThoseOfTheWholeBody)
