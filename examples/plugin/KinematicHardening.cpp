@@ -18,10 +18,10 @@ struct KinematicHardening
 
   static constexpr ParameterOf<KinematicHardening> parameters[] = {
     {&KinematicHardening::strength,
-     {"Elastic Range", "Pa", no_default, Bounds::positive(),
+     {"Elastic Range", "Pa", no_default, Range::positive(),
       "The rock is elastic while its shear stress is within this of the back stress."}},
     {&KinematicHardening::modulus,
-     {"Hardening Modulus", "Pa", no_default, Bounds::positive(),
+     {"Hardening Modulus", "Pa", no_default, Range::positive(),
       "The back stress moves by this for each unit of inelastic shear strain."}}};
 
   struct History

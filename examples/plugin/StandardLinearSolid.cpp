@@ -16,10 +16,10 @@ struct StandardLinearSolid
 
   static constexpr ParameterOf<StandardLinearSolid> parameters[] = {
     {&StandardLinearSolid::share,
-     {"Relaxing Share", "-", no_default, Bounds::closed(0, 1),
+     {"Relaxing Share", "-", no_default, Range::closed(0, 1),
       "This share of the shear modulus relaxes."}},
     {&StandardLinearSolid::time,
-     {"Relaxation Time", "s", no_default, Bounds::positive(),
+     {"Relaxation Time", "s", no_default, Range::positive(),
       "Its stress falls to 1/e within this time at constant strain."}}};
 
   std::vector<fem::RelaxingShare> relaxation(fem::Material const&) const { return {{share, time}}; }

@@ -14,7 +14,7 @@ struct ViscousLaw
 
   static constexpr ParameterOf<ViscousLaw> parameters[] = {
     {&ViscousLaw::rate,
-     {"Viscous Slip Rate", "m/s", no_default, Bounds::positive(),
+     {"Viscous Slip Rate", "m/s", no_default, Range::positive(),
       "Slip rate V1 at which the coefficient of friction is 1.", "Check the sign."}}};
 
   // The law at a given state; this law does not depend on the state.

@@ -14,7 +14,7 @@ struct WearLaw
 
   static constexpr ParameterOf<WearLaw> parameters[] = {
     {&WearLaw::distance,
-     {"Wear Distance", "m", no_default, Bounds::positive(),
+     {"Wear Distance", "m", no_default, Range::positive(),
       "Slip D that reduces the state by a factor e."}}};
 
   KOKKOS_INLINE_FUNCTION double rate(double V, double alpha) const { return -V * alpha / distance; }

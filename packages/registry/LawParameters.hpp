@@ -20,7 +20,7 @@
 //     static constexpr char const* name = "Maxwell";
 //     double viscosity; // Pa s
 //     static constexpr ParameterOf<Maxwell> parameters[] = {
-//       {&Maxwell::viscosity, {"Viscosity", "Pa s", no_default, Bounds::positive(), "."}}};
+//       {&Maxwell::viscosity, {"Viscosity", "Pa s", no_default, Range::positive(), "."}}};
 //   };
 //
 // The functions here are all that knows the order of the table. A law without parameters has no

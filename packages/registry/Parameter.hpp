@@ -9,16 +9,13 @@ namespace asperity
 {
 inline constexpr double no_default = std::numeric_limits<double>::quiet_NaN();
 
-// What tables of laws call the range of a parameter.
-using Bounds = Range;
-
 // One row of a law's table: what a deck may say and what the documentation prints.
 struct Parameter
 {
   char const* name;
   char const* unit;
   double default_value; // no_default: the parameter has to be given
-  Range bounds;
+  Range range;
   char const* meaning;   // one sentence
   char const* hint = ""; // what to try when a value is refused
 

@@ -22,13 +22,13 @@ struct Burgers
 
   static constexpr ParameterOf<Burgers> parameters[] = {
     {&Burgers::viscosity,
-     {"Viscosity", "Pa s", no_default, Bounds::positive(),
+     {"Viscosity", "Pa s", no_default, Range::positive(),
       "The rock flows with this viscosity in the long term (that of the Maxwell element)."}},
     {&Burgers::transient_viscosity,
-     {"Transient Viscosity", "Pa s", no_default, Bounds::positive(),
+     {"Transient Viscosity", "Pa s", no_default, Range::positive(),
       "This viscosity delays the transient part of the strain (that of the Kelvin element)."}},
     {&Burgers::transient_shear_modulus,
-     {"Transient Shear Modulus", "Pa", no_default, Bounds::positive(),
+     {"Transient Shear Modulus", "Pa", no_default, Range::positive(),
       "This modulus bounds the transient part of the strain (that of the Kelvin element)."}}};
 
   std::vector<RelaxingShare> relaxation(Material const& material) const

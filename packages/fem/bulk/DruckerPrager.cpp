@@ -25,11 +25,11 @@ struct DruckerPrager : Yield
 
   static constexpr ParameterOf<DruckerPrager> parameters[] = {
     {&DruckerPrager::cohesion,
-     {"Cohesion", "Pa", no_default, Bounds::atLeast(0),
+     {"Cohesion", "Pa", no_default, Range::atLeast(0),
       "The rock has this cohesion: its shear strength without pressure is cohesion times the "
       "cosine of the friction angle."}},
     {&DruckerPrager::friction_angle,
-     {"Friction Angle", "deg", no_default, Bounds::closedOpen(0, 90),
+     {"Friction Angle", "deg", no_default, Range::closedOpen(0, 90),
       "The shear strength of the rock grows with pressure by the sine of this angle of internal "
       "friction."}},
     {&DruckerPrager::hardening, parameter::hardening},
@@ -37,7 +37,7 @@ struct DruckerPrager : Yield
     {&DruckerPrager::residual_share, parameter::residual_share},
     {&DruckerPrager::softening_shear, parameter::softening_shear},
     {&DruckerPrager::dilation_angle,
-     {"Dilation Angle", "deg", 0, Bounds::closedOpen(0, 90),
+     {"Dilation Angle", "deg", 0, Range::closedOpen(0, 90),
       "The volume of rock that yields grows by the sine of this angle for each unit of inelastic "
       "shear strain, and it opens where tension exceeds what the cone bears. With the friction "
       "angle the flow is associated; it cannot be larger. It has no effect in antiplane models."}},

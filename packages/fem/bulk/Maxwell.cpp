@@ -14,7 +14,7 @@ struct Maxwell
 
   static constexpr ParameterOf<Maxwell> parameters[] = {
     {&Maxwell::viscosity,
-     {"Viscosity", "Pa s", no_default, Bounds::positive(),
+     {"Viscosity", "Pa s", no_default, Range::positive(),
       "The rock flows with this viscosity. Its stress falls to 1/e in the relaxation time, "
       "viscosity over shear modulus, at constant strain."}}};
 

@@ -18,12 +18,12 @@ struct PowerLaw
 
   static constexpr ParameterOf<PowerLaw> parameters[] = {
     {&PowerLaw::prefactor,
-     {"Prefactor", "1/(Pa^n s)", no_default, Bounds::atLeast(0),
+     {"Prefactor", "1/(Pa^n s)", no_default, Range::atLeast(0),
       "This is A in the rate A t^(n - 1) s of inelastic strain, with the deviatoric stress s and "
       "t = sqrt(s : s / 2). If rate = B stress^n was measured under axial load, A = 3^((n + 1) / "
       "2) B / 2. Where it is 0, the rock is elastic."}},
     {&PowerLaw::exponent,
-     {"Stress Exponent", "-", no_default, Bounds::atLeast(1),
+     {"Stress Exponent", "-", no_default, Range::atLeast(1),
       "This is n in that rate. With 1 the viscosity is 1 / (2 A), with more it falls with "
       "stress."}}};
 

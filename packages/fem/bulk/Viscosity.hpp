@@ -8,10 +8,10 @@ namespace asperity::fem
 namespace parameter
 {
 inline constexpr Parameter shear_viscosity = {
-  "Shear Viscosity", "Pa s", 0, Bounds::atLeast(0),
+  "Shear Viscosity", "Pa s", 0, Range::atLeast(0),
   "This viscosity resists changes of shape (Kelvin-Voigt)."};
 inline constexpr Parameter bulk_viscosity = {
-  "Bulk Viscosity", "Pa s", 0, Bounds::atLeast(0),
+  "Bulk Viscosity", "Pa s", 0, Range::atLeast(0),
   "This viscosity resists changes of volume (Kelvin-Voigt)."};
 } // namespace parameter
 

@@ -15,7 +15,7 @@ struct VonMises : Yield
 
   static constexpr ParameterOf<VonMises> parameters[] = {
     {&VonMises::strength,
-     {"Shear Strength", "Pa", no_default, Bounds::positive(),
+     {"Shear Strength", "Pa", no_default, Range::positive(),
       "The rock yields at this shear stress, sqrt(s : s / 2) of its deviatoric part s."}},
     {&VonMises::hardening, parameter::hardening},
     {&VonMises::relaxation_time, parameter::yield_relaxation},

@@ -9,18 +9,18 @@ namespace asperity::fem
 namespace parameter
 {
 inline constexpr Parameter hardening = {
-  "Hardening", "Pa", 0, Bounds::atLeast(0),
+  "Hardening", "Pa", 0, Range::atLeast(0),
   "The yield stress grows by this value for each unit of inelastic shear strain."};
 inline constexpr Parameter residual_share = {
-  "Residual Share", "-", 1, Bounds::openClosed(0, 1),
+  "Residual Share", "-", 1, Range::openClosed(0, 1),
   "The cohesion (of Von Mises the shear strength) falls to this share of itself with inelastic "
   "shear; 1: it stays."};
 inline constexpr Parameter softening_shear = {
-  "Softening Shear", "-", 0.01, Bounds::positive(),
+  "Softening Shear", "-", 0.01, Range::positive(),
   "The cohesion falls to that share in proportion to the inelastic shear strain, "
   "over this one."};
 inline constexpr Parameter yield_relaxation = {
-  "Yield Relaxation Time", "s", 0, Bounds::atLeast(0),
+  "Yield Relaxation Time", "s", 0, Range::atLeast(0),
   "Stress above the yield stress falls to 1/e within this time (Duvaut and Lions); 0: at once."};
 
 } // namespace parameter

@@ -27,7 +27,7 @@ struct CutOffLaw
     {&CutOffLaw::a, parameter::direct_effect},
     {&CutOffLaw::b, parameter::state_effect},
     {&CutOffLaw::cut_off,
-     {"Cut-Off Slip Rate", "m/s", no_default, Bounds::positive(),
+     {"Cut-Off Slip Rate", "m/s", no_default, Range::positive(),
       "The direct effect ends at slip rates about this one, V_c."}},
     {&CutOffLaw::reference_friction, parameter::reference_friction},
   };

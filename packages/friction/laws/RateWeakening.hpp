@@ -35,11 +35,11 @@ struct RateWeakening : SteadyFriction<Law>
     {&RateWeakening::reference_rate, parameter::reference_slip_rate},
     {&RateWeakening::reference_friction, parameter::reference_friction},
     {&RateWeakening::weakened_friction,
-     {"Weakened Friction Coefficient", "-", 0.2, Bounds::atLeast(0),
+     {"Weakened Friction Coefficient", "-", 0.2, Range::atLeast(0),
       "Steady friction falls towards this coefficient f_w at slip rates far above the weakening "
       "slip rate."}},
     {&RateWeakening::weakening_rate,
-     {"Weakening Slip Rate", "m/s", 0.1, Bounds::positive(),
+     {"Weakening Slip Rate", "m/s", 0.1, Range::positive(),
       "Steady friction falls at slip rates above this one, V_w."}},
   };
 

@@ -24,10 +24,10 @@ struct SlipWeakeningLaw
 
   static constexpr ParameterOf<SlipWeakeningLaw> parameters[] = {
     {&SlipWeakeningLaw::static_friction,
-     {"Static Friction Coefficient", "-", no_default, Bounds::atLeast(0),
+     {"Static Friction Coefficient", "-", no_default, Range::atLeast(0),
       "The fault begins to slip at this coefficient mu_s.", "Check the sign."}},
     {&SlipWeakeningLaw::dynamic_friction,
-     {"Dynamic Friction Coefficient", "-", no_default, Bounds::atLeast(0),
+     {"Dynamic Friction Coefficient", "-", no_default, Range::atLeast(0),
       "Friction has this coefficient mu_d after slip by the slip-weakening distance.",
       "Check the sign."}},
   };
@@ -75,7 +75,7 @@ struct SlipWeakeningState
 
   static constexpr ParameterOf<SlipWeakeningState> parameters[] = {
     {&SlipWeakeningState::distance,
-     {"Slip-Weakening Distance", "m", no_default, Bounds::positive(),
+     {"Slip-Weakening Distance", "m", no_default, Range::positive(),
       "Friction falls from its static to its dynamic coefficient, linearly over this slip d_c."}},
   };
 

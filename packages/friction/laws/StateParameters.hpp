@@ -18,7 +18,7 @@ struct StateParameters
     {&StateParameters::slip_distance, parameter::slip_distance},
     {&StateParameters::reference_rate, parameter::reference_slip_rate},
     {&StateParameters::stress_sensitivity,
-     {"c", "-", 0, Bounds::atLeast(0),
+     {"c", "-", 0, Range::atLeast(0),
       "A change of the normal stress shifts the state alpha by -(c / b) times the logarithm of the "
       "ratio of the new to the old normal stress (Linker and Dieterich 1992); 0 means no shift."}},
   };

@@ -14,7 +14,7 @@ struct FragileLaw
 
   static constexpr ParameterOf<FragileLaw> parameters[] = {
     {&FragileLaw::limit,
-     {"Limit", "-", no_default, Bounds::positive(), "State beyond which there is none."}}};
+     {"Limit", "-", no_default, Range::positive(), "State beyond which there is none."}}};
 
   KOKKOS_INLINE_FUNCTION double rate(double, double) const { return 1; }
   KOKKOS_INLINE_FUNCTION double flow(double, double dt, double alpha0) const

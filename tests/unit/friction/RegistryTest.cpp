@@ -51,13 +51,13 @@ TEST(Registry, HasATableOfParametersForEachLaw)
   }
   auto const& a = frictionLaws().at("Truncated").parameters[0];
   EXPECT_TRUE(a.required());
-  EXPECT_EQ(a.bounds.lower(), 0);
-  EXPECT_FALSE(a.bounds.hasLower());
+  EXPECT_EQ(a.range.lower(), 0);
+  EXPECT_FALSE(a.range.hasLower());
   auto const& b = frictionLaws().at("Truncated").parameters[1];
-  EXPECT_EQ(b.bounds.lower(), 0);
-  EXPECT_TRUE(b.bounds.hasLower());
-  EXPECT_EQ(b.bounds.upper(), std::numeric_limits<double>::infinity());
-  EXPECT_FALSE(b.bounds.hasUpper());
+  EXPECT_EQ(b.range.lower(), 0);
+  EXPECT_TRUE(b.range.hasLower());
+  EXPECT_EQ(b.range.upper(), std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(b.range.hasUpper());
 }
 
 TEST(Registry, KnowsWhatTheLawsSayOfThemselves)

@@ -22,9 +22,9 @@ struct SampleLaw : Base
   double angle, half_angle, strength;
 
   static constexpr ParameterOf<SampleLaw> parameters[] = {
-    {&SampleLaw::strength, {"Strength", "Pa", 1, Bounds::atLeast(0), "."}},
-    {&SampleLaw::stiffness, {"Stiffness", "Pa", 2, Bounds::atLeast(0), "."}},
-    {&SampleLaw::angle, {"Angle", "deg", 3, Bounds::atLeast(0), "."}}};
+    {&SampleLaw::strength, {"Strength", "Pa", 1, Range::atLeast(0), "."}},
+    {&SampleLaw::stiffness, {"Stiffness", "Pa", 2, Range::atLeast(0), "."}},
+    {&SampleLaw::angle, {"Angle", "deg", 3, Range::atLeast(0), "."}}};
 
   KOKKOS_INLINE_FUNCTION void prepare() { half_angle = angle / 2; }
 };
@@ -44,16 +44,16 @@ struct OtherBase
 struct TwoBases : Base, OtherBase
 {
   static constexpr ParameterOf<TwoBases> parameters[] = {
-    {&TwoBases::stiffness, {"Stiffness", "Pa", 2, Bounds::atLeast(0), "."}},
-    {&TwoBases::weight, {"Weight", "kg", 3, Bounds::atLeast(0), "."}}};
+    {&TwoBases::stiffness, {"Stiffness", "Pa", 2, Range::atLeast(0), "."}},
+    {&TwoBases::weight, {"Weight", "kg", 3, Range::atLeast(0), "."}}};
 };
 
 // Two parameters, one member.
 struct Twice : Base
 {
   static constexpr ParameterOf<Twice> parameters[] = {
-    {&Twice::stiffness, {"Stiffness", "Pa", 2, Bounds::atLeast(0), "."}},
-    {&Twice::stiffness, {"Weight", "kg", 3, Bounds::atLeast(0), "."}}};
+    {&Twice::stiffness, {"Stiffness", "Pa", 2, Range::atLeast(0), "."}},
+    {&Twice::stiffness, {"Weight", "kg", 3, Range::atLeast(0), "."}}};
 };
 
 TEST(LawParameters, GoToTheMembersThatTheTableNames)

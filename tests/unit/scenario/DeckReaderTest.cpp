@@ -38,7 +38,7 @@ struct AgeingLike
   }
 };
 
-constexpr friction::Parameter slip_distance = {"L", "m", friction::no_default, Bounds::positive(),
+constexpr friction::Parameter slip_distance = {"L", "m", friction::no_default, Range::positive(),
                                                "Slip distance."};
 
 // With a parameter that no other law has; it does not say what its theta is.
@@ -49,7 +49,7 @@ struct SlowAgeingLaw : AgeingLike
   static constexpr ParameterOf<SlowAgeingLaw> parameters[] = {
     {&SlowAgeingLaw::slip_distance, scenario::slip_distance},
     {&SlowAgeingLaw::reference_rate, friction::parameter::reference_slip_rate},
-    {&SlowAgeingLaw::delay, {"Delay", "s", 7, Bounds::closedOpen(0, 100), "How late it is."}}};
+    {&SlowAgeingLaw::delay, {"Delay", "s", 7, Range::closedOpen(0, 100), "How late it is."}}};
 };
 
 // Its reference rate has a narrower range than that of the friction laws.
@@ -59,7 +59,7 @@ struct NarrowAgeingLaw : AgeingLike
   static constexpr ParameterOf<AgeingLike> parameters[] = {
     {&AgeingLike::slip_distance, scenario::slip_distance},
     {&AgeingLike::reference_rate,
-     {"Reference Slip Rate", "m/s", 1e-6, Bounds::closed(1e-7, 1e-5), "Slip rate of reference."}}};
+     {"Reference Slip Rate", "m/s", 1e-6, Range::closed(1e-7, 1e-5), "Slip rate of reference."}}};
 };
 
 // Contradicts the friction laws.
@@ -69,7 +69,7 @@ struct ForeignAgeingLaw : AgeingLike
   static constexpr ParameterOf<AgeingLike> parameters[] = {
     {&AgeingLike::slip_distance, scenario::slip_distance},
     {&AgeingLike::reference_rate,
-     {"Reference Slip Rate", "m/s", -1, Bounds::closedOpen(-2, 0), "Slip rate of reference."}}};
+     {"Reference Slip Rate", "m/s", -1, Range::closedOpen(-2, 0), "Slip rate of reference."}}};
 };
 } // namespace
 } // namespace asperity::scenario
