@@ -21,18 +21,19 @@ std::map<int, std::vector<int>> plusesOf(std::vector<SplitVertex> const& splits)
   return pluses;
 }
 
-// The name of the fault that has this vertex; empty where a part has no facet of it.
+// The names that have this vertex, as in NamedCrossing; empty where a part has no facet of them.
 template <template <int> class AnyMesh, int Dim>
 std::string faultAt(AnyMesh<Dim> const& mesh, int plus)
 {
+  std::string names;
   for (auto const& name : mesh.faults) {
-    for (auto const& facet : mesh.boundaries.at(name)) {
-      if (std::find(facet.begin(), facet.end(), plus) != facet.end()) {
-        return name;
-      }
-    }
+    auto const& facets = mesh.boundaries.at(name);
+    const bool has_it = std::any_of(facets.begin(), facets.end(), [&](auto const& facet) {
+      return std::find(facet.begin(), facet.end(), plus) != facet.end();
+    });
+    names += !has_it ? "" : names.empty() ? name : "/" + name;
   }
-  return "";
+  return names;
 }
 } // namespace
 

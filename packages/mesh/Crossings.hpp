@@ -35,7 +35,8 @@ std::vector<Crossing> crossingsOf(std::vector<SplitVertex> const& splits);
 template <template <int> class AnyMesh, int Dim>
 void checkCrossings(AnyMesh<Dim> const& mesh, std::string const& where);
 
-// A crossing by its place [m] and the names of its two faults, the first one first.
+// A crossing by its place [m] and the names of its two faults, the first one first. Two names that
+// are one fault there are "east/west".
 template <int Dim>
 struct NamedCrossing
 {

@@ -23,8 +23,10 @@ public:
       , where_(where)
       , table_(mesh.cells)
       , names_(detail::innerBoundaries(mesh, table_, where))
-      , facets_(detail::orientedFaultFacets(mesh, table_, names_, where))
   {
+    auto oriented = detail::orientedFaultFacets(mesh, table_, names_, where);
+    facets_ = std::move(oriented.facets);
+    joined_ = std::move(oriented.joined);
   }
 
   bool hasFaults() const { return !names_.empty(); }
@@ -57,10 +59,19 @@ private:
       number_[fault_vertices_[v]] = static_cast<int>(v);
     }
     facets_at_.resize(fault_vertices_.size());
+    joined_at_.resize(fault_vertices_.size());
     cells_at_.resize(fault_vertices_.size());
     for (std::size_t f = 0; f < facets_.size(); ++f) {
       for (int vertex : facets_[f].key) {
         facets_at_[number_[vertex]].push_back(static_cast<int>(f));
+      }
+    }
+    for (auto const& pair : joined_) {
+      auto const& other = facets_[pair[1]].key;
+      for (int vertex : facets_[pair[0]].key) {
+        if (std::find(other.begin(), other.end(), vertex) != other.end()) {
+          joined_at_[number_[vertex]].push_back(pair);
+        }
       }
     }
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
@@ -121,11 +132,11 @@ private:
     const int vertex = fault_vertices_[number];
     const detail::Star<Dim> star(mesh_.cells, cells_at_[number], std::array<int, 1>{vertex},
                                  [this](Facet const& key) { return faultFacet(key); });
-    const auto decision =
-      detail::splitVertex<Dim>(star,
-                               {vertex, mesh_.vertices[vertex], facets_at_[number],
-                                on_surface_.count(vertex) > 0, isOnTrace(vertex)},
-                               facets_, names_, where_);
+    const auto decision = detail::splitVertex<Dim>(
+      star,
+      {vertex, mesh_.vertices[vertex], facets_at_[number], joined_at_[number],
+       on_surface_.count(vertex) > 0, isOnTrace(vertex)},
+      facets_, names_, where_);
     const int plus = addCopy(vertex, vertex, !decision.is_cut);
     copies_.push_back(plus);
     if (decision.crossing) {
@@ -134,8 +145,8 @@ private:
     }
     giveVertex(decision.plus_cells, vertex, plus);
     for (auto const& branch : decision.branches) {
-      own_copies_[{branch.fault, vertex}] =
-        addCopy(vertex, branch.is_on_plus_side ? plus : vertex, true);
+      giveOwnCopy(branch.facets, vertex,
+                  addCopy(vertex, branch.is_on_plus_side ? plus : vertex, true));
     }
   }
 
@@ -145,7 +156,7 @@ private:
   {
     const int plus_of_second = addCopy(vertex, vertex, false);
     const int both = addCopy(vertex, vertex, false);
-    own_copies_[{crossing.faults[1], vertex}] = plus_of_second;
+    giveOwnCopy(crossing.facets[1], vertex, plus_of_second);
     giveVertex(crossing.plus_cells[0], vertex, plus_of_first);
     giveVertex(crossing.plus_cells[1], vertex, plus_of_second);
     giveVertex(crossing.both_cells, vertex, both);
@@ -159,6 +170,13 @@ private:
     }
   }
 
+  void giveOwnCopy(std::vector<int> const& facets, int vertex, int copy)
+  {
+    for (int facet : facets) {
+      own_copies_[{facet, vertex}] = copy;
+    }
+  }
+
   int addCopy(int vertex, int minus, bool is_tip)
   {
     const auto plus = static_cast<int>(result_.vertices.size());
@@ -167,10 +185,10 @@ private:
     return plus;
   }
 
-  // The copy of a vertex that the facets of a fault use.
-  int plusOf(int fault, int vertex) const
+  // The copy of a vertex that a facet of a fault uses.
+  int plusOf(std::size_t facet, int vertex) const
   {
-    const auto own = own_copies_.find({fault, vertex});
+    const auto own = own_copies_.find({static_cast<int>(facet), vertex});
     return own == own_copies_.end() ? copies_[number_[vertex]] : own->second;
   }
 
@@ -178,9 +196,10 @@ private:
   {
     const auto first_copy = static_cast<int>(mesh_.vertices.size());
     std::vector<bool> slips(names_.size(), false);
-    for (auto const& facet : facets_) {
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      auto const& facet = facets_[f];
       for (int vertex : facet.key) {
-        const int plus = plusOf(facet.fault, vertex);
+        const int plus = plusOf(f, vertex);
         slips[facet.fault] = slips[facet.fault] || !result_.splits[plus - first_copy].is_tip;
       }
     }
@@ -194,11 +213,12 @@ private:
 
   void moveFaultFacets()
   {
-    for (auto const& facet : facets_) {
+    for (std::size_t f = 0; f < facets_.size(); ++f) {
+      auto const& facet = facets_[f];
       auto& moved = result_.boundaries[names_[facet.fault]][facet.number];
       moved = facet.outward;
       for (int& vertex : moved) {
-        vertex = plusOf(facet.fault, vertex);
+        vertex = plusOf(f, vertex);
       }
     }
   }
@@ -226,13 +246,15 @@ private:
   detail::FacetTable<Dim> table_;
   std::vector<std::string> names_;
   std::vector<detail::FaultFacet<Dim>> facets_;        // sorted by key
+  std::vector<std::array<int, 2>> joined_;             // of OrientedFacets
   std::vector<int> fault_vertices_;                    // ascending
   std::vector<int> number_;                            // among fault_vertices_, or -1
   std::vector<std::vector<int>> facets_at_, cells_at_; // of the fault's vertex with this number
+  std::vector<std::vector<std::array<int, 2>>> joined_at_;
   std::set<int> on_surface_;
   std::set<std::pair<int, int>> edges_on_surface_;
   std::vector<int> copies_; // the plus of the fault's vertex with this number
-  // By fault and vertex: the tips of branches, and the plus of the second fault at a crossing.
+  // By facet and vertex: the tips of branches, and the plus of the second fault at a crossing.
   std::map<std::pair<int, int>, int> own_copies_;
   GlobalMesh<Dim> result_;
 };

@@ -16,16 +16,25 @@ namespace asperity::mesh
 //
 // Copies: if the facets of the faults divide the cells at a vertex into two sets, the cells of the
 // plus side get a copy of the vertex, plus, and all others keep the vertex, minus. If they do not
-// divide the cells, the fault ends inside the body: a tip. A fault whose facets divide the cells on
-// one side of another fault, or only touch it, is a branch and ends there with a tip. Where two
-// faults cross in the plane, each of the four sets of cells has a vertex (Crossings.hpp). Copies
-// are numbered after the original vertices, in the order of these; cells and facets keep their
-// order.
+// divide the cells, the fault ends inside the body: a tip. Faults whose facets divide the cells on
+// one side of another fault, or only touch it, are branches, and each ends there with a tip. Where
+// two faults cross in the plane, each of the four sets of cells has a vertex (Crossings.hpp).
+// Copies are numbered after the original vertices, in the order of these; cells and facets keep
+// their order.
 //
-// InputError, which starts with `where`, for faults that cross in space, for three that meet and go
-// on, or that otherwise need more copies of a vertex, that touch without crossing, that cannot be
-// oriented, that touch the surface of the body in a single point, or that have only tips; for a
-// facet in two faults; for a boundary that is partly inside the body; for a periodic mesh.
+// Names: faults of two names that end in one place, and where no other one is, are one fault there,
+// which may bend. Where others are, two that end are one fault
+// - if they end on both sides of a fault that goes on, or four or more end, and the two bend by at
+//   most 30 degrees from one into the other;
+// - or if three end, and the two bend by at most 60 degrees, and by 10 degrees less than each other
+//   pair. The third one is a branch.
+// The vertices that they share belong to the facets of both.
+//
+// InputError, which starts with `where`, for faults that cross in space, for three that end in one
+// place or meet and go on, or that otherwise need more copies of a vertex, that touch without
+// crossing, that cannot be oriented, that touch the surface of the body in a single point, or that
+// have only tips; for a facet in two faults; for a boundary that is partly inside the body; for a
+// periodic mesh.
 template <int Dim>
 void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where);
 } // namespace asperity::mesh

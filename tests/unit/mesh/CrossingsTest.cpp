@@ -168,15 +168,100 @@ TEST(Crossings, DoNotDependOnTheOrderOfFacets)
   EXPECT_EQ(namedCrossings(one)[0].faults, namedCrossings(other)[0].faults);
 }
 
+namespace
+{
+bool isEast(Point<2> const& p) { return isOnXAxis(p) && p[0] >= 2.0; }
+bool isWest(Point<2> const& p) { return isOnXAxis(p) && p[0] <= 2.0; }
+bool isUp(Point<2> const& p) { return isAtTwo(p) && p[1] >= 0.0; }
+bool isDown(Point<2> const& p) { return isAtTwo(p) && p[1] <= 0.0; }
+bool isUpEast(Point<2> const& p) { return isOnDiagonal(p) && p[1] >= 0.0; }
+bool isDownWest(Point<2> const& p) { return isOnDiagonal(p) && p[1] <= 0.0; }
+} // namespace
+
+// What continues straight on under another name is one fault, as under one name.
+TEST(Crossings, OfNamesThatContinueEachOther)
+{
+  const auto mesh =
+    goodSplit(faultedRectangle({{"dyke", isAtTwo}, {"east", isEast}, {"west", isWest}}), 0, 11);
+  expectSidesOfFacets(mesh);
+  const auto with_one_name = split(cross());
+  EXPECT_EQ(mesh.cells, with_one_name.cells);
+  EXPECT_EQ(mesh.splits, with_one_name.splits);
+  const auto named = namedCrossings(mesh);
+  ASSERT_EQ(named.size(), 1u);
+  EXPECT_EQ(named[0].faults, (Names{"dyke", "east/west"}));
+  const int plus = crossingsOf(mesh.splits)[0].plus[1];
+  for (auto const* name : {"east", "west"}) {
+    const auto vertices = boundaryVertices(mesh, name);
+    EXPECT_TRUE(std::binary_search(vertices.begin(), vertices.end(), plus)) << name;
+    EXPECT_EQ(upOf(mesh, name), (Point<2>{0.0, 2.0}));
+  }
+}
+
+TEST(Crossings, OfFourNames)
+{
+  const auto mesh = goodSplit(
+    faultedRectangle({{"east", isEast}, {"north", isUp}, {"south", isDown}, {"west", isWest}}), 0,
+    11);
+  expectSidesOfFacets(mesh);
+  const auto named = namedCrossings(mesh);
+  ASSERT_EQ(named.size(), 1u);
+  EXPECT_EQ(named[0].faults, (Names{"north/south", "east/west"}));
+}
+
+// What bends by 45 degrees at another fault does not go on: each ends there with a tip.
+TEST(Crossings, AreNoneOfBranches)
+{
+  const auto on_both_sides = goodSplit(
+    faultedRectangle({{"east", isEast}, {"main", isAtTwo}, {"west", isDownWest}}), 2, 5 + 2 + 2);
+  expectSidesOfFacets(on_both_sides);
+  EXPECT_TRUE(crossingsOf(on_both_sides.splits).empty());
+  auto pairs = pairsAt<2>(on_both_sides, {2.0, 0.0});
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_FALSE(pairs[0].is_tip);
+  EXPECT_EQ(pairs[1].minus, pairs[0].plus);  // of 'east', beyond the plus side of 'main'
+  EXPECT_EQ(pairs[2].minus, pairs[0].minus); // of 'west'
+  EXPECT_TRUE(pairs[1].is_tip && pairs[2].is_tip);
+
+  const auto on_one_side = goodSplit(
+    faultedRectangle({{"main", isOnXAxis}, {"one", isUp}, {"two", isUpEast}}), 2, 5 + 2 + 2);
+  expectSidesOfFacets(on_one_side);
+  pairs = pairsAt<2>(on_one_side, {2.0, 0.0});
+  ASSERT_EQ(pairs.size(), 3u);
+  EXPECT_EQ(pairs[1].minus, pairs[0].plus);
+  EXPECT_EQ(pairs[2].minus, pairs[0].plus);
+}
+
+// Three names end in one place: the two that bend least go on, by 0 and by 45 degrees.
+TEST(Crossings, AreNoneOfThreeEnds)
+{
+  const auto bent = [](auto const& first) {
+    return faultedRectangle({{"a", first}, {"b", isWest}, {"branch", isUp}});
+  };
+  for (auto const& mesh : {bent(isEast), bent(isUpEast)}) {
+    const auto result = goodSplit(mesh, 1, 5 + 2);
+    expectSidesOfFacets(result);
+    const auto pairs = pairsAt<2>(result, {2.0, 0.0});
+    ASSERT_EQ(pairs.size(), 2u);
+    EXPECT_FALSE(pairs[0].is_tip);
+    EXPECT_TRUE(pairs[1].is_tip);
+    EXPECT_EQ(pairs[1].minus, pairs[0].plus);
+    const auto branch = boundaryVertices(result, "branch");
+    EXPECT_TRUE(std::binary_search(branch.begin(), branch.end(), pairs[1].plus));
+  }
+  // 45, 180 and 270 degrees: two pairs bend alike.
+  expectRefused(faultedRectangle({{"a", isUpEast}, {"b", isWest}, {"c", isDown}}),
+                {"Here: faults 'a', 'b' and 'c' meet at (2, 0)", "the straightest pair"});
+}
+
 TEST(Crossings, RefuseWhatHasMoreThanTwoFaults)
 {
   expectRefused(faultedRectangle({{"dyke", isAtTwo}, {"main", isOnXAxis}, {"third", isOnDiagonal}}),
                 {"Here: faults 'dyke', 'main' and 'third' cross at (2, 0)", "6 parts",
-                 "two faults, each with one name, cross inside the body"});
-  expectRefused(faultedRectangle({{"dyke", isAtTwo},
-                                  {"east", [](auto& p) { return isOnXAxis(p) && p[0] >= 2; }},
-                                  {"west", [](auto& p) { return isOnXAxis(p) && p[0] <= 2; }}}),
-                {"Here: faults 'dyke', 'east' and 'west' cross at (2, 0)", "4 parts"});
+                 "two faults cross inside the body"});
+  expectRefused(faultedRectangle({{"dyke", isAtTwo}, {"main", isOnXAxis}, {"third", isUpEast}}),
+                {"Here: faults 'dyke', 'main' and 'third' cross at (2, 0)", "5 parts",
+                 "no other one ends there"});
   expectRefused(faultedRectangle({{"star", [](auto& p) { return isOnXAxis(p) || isAtTwo(p); }}}),
                 {"4 facets of fault 'star' meet at (2, 0)"});
 }
@@ -275,23 +360,25 @@ GlobalMesh<2> withNetwork(GlobalMesh<2> mesh, int cells, std::mt19937& random)
   return mesh;
 }
 
-// Vertices through which two faults go and at which no other one ends.
+// Vertices through which two straight lines of faults go, and at which no other one ends. Each
+// vertex is a number, and so is a direction: the difference of two.
 std::set<int> expectedCrossings(GlobalMesh<2> const& mesh)
 {
-  std::map<int, std::map<std::string, int>> facets_at;
+  std::map<int, std::set<int>> directions_at;
   for (auto const& [name, facets] : mesh.boundaries) {
     if (name.rfind("fault", 0) == 0) {
-      for (auto const& facet : facets) {
-        ++facets_at[facet[0]][name];
-        ++facets_at[facet[1]][name];
+      for (auto const& [a, b] : facets) {
+        directions_at[a].insert(b - a);
+        directions_at[b].insert(a - b);
       }
     }
   }
   std::set<int> crossings;
-  for (auto const& [vertex, of_faults] : facets_at) {
-    const bool go_on = std::all_of(of_faults.begin(), of_faults.end(),
-                                   [](auto const& one) { return one.second == 2; });
-    if (of_faults.size() == 2 && go_on) {
+  for (auto const& [vertex, directions] : directions_at) {
+    const bool go_on =
+      std::all_of(directions.begin(), directions.end(),
+                  [there = &directions](int direction) { return there->count(-direction) > 0; });
+    if (directions.size() == 4 && go_on) {
       crossings.insert(vertex);
     }
   }

@@ -105,11 +105,12 @@ TEST(RingFaults, ThreeNamesThatMeet)
 {
   const auto mesh = faultedRectangle(
     {{"west", [](Point<2> const& x) { return std::abs(x[1]) < 1e-9 && x[0] < 2 + 1e-9; }},
-     {"east", [](Point<2> const& x) { return std::abs(x[1]) < 1e-9 && x[0] > 2 - 1e-9; }},
-     {"north", [](Point<2> const& x) { return std::abs(x[0] - 2) < 1e-9 && x[1] > -1e-9; }}},
+     {"east",
+      [](Point<2> const& x) { return std::abs(x[1] - x[0] + 2) < 1e-9 && x[0] > 2 - 1e-9; }},
+     {"south", [](Point<2> const& x) { return std::abs(x[0] - 2) < 1e-9 && x[1] < 1e-9; }}},
     2);
   test::expectRefusal([&] { split(mesh); },
-                      {"faults 'east', 'north' and 'west' meet at (2, 0)", "the same name"});
+                      {"faults 'east', 'south' and 'west' meet at (2, 0)", "the same name"});
   // The remedy: two of them as one.
   auto joined = mesh;
   auto& main = joined.boundaries["main"];

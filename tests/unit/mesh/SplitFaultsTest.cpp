@@ -173,11 +173,11 @@ TEST(SplitFaults, DoesNotDependOnTheNumbering)
 
 TEST(SplitFaults, RefusesFaultsThatMeet)
 {
-  // Nobody ends at the other one's node here.
+  // Of these three none goes on: two pairs bend by 45 degrees.
   expectRefused(faultedRectangle({{"west", [](auto& p) { return isOnXAxis(p) && p[0] <= 2.0; }},
-                                  {"east", [](auto& p) { return isOnXAxis(p) && p[0] >= 2.0; }},
-                                  {"up", isUpwardAtTwo}}),
-                {"faults 'east', 'up' and 'west' meet at (2, 0)", "where each of them ends"});
+                                  {"east", [](auto& p) { return isOnDiagonal(p) && p[0] >= 2.0; }},
+                                  {"down", [](auto& p) { return isAtTwo(p) && p[1] <= 0.0; }}}),
+                {"faults 'down', 'east' and 'west' meet at (2, 0)", "where each of them ends"});
   // A node of the surface with three copies.
   expectRefused(faultedRectangle({{"main", [](auto& p) { return isOnXAxis(p); }},
                                   {"other", [](auto& p) { return p[0] == p[1]; }}}),

@@ -127,17 +127,32 @@ Physical Curve("fault") += {31};
         self.assert_not_converted(text, "'a.2' is another group")
 
     def test_joints_of_names(self):
-        """Two names of three: the one that goes on is the main fault; three names are refused with
-        a remedy, which works."""
+        """Of three names the two that bend least go on, and the third one is a branch."""
         ends = ((-6, 0), (6, 0), (3, 4))
         self.assert_faults({"main": 12, "splay": 5}, arms(*ends, names=["main", "main", "splay"]))
-        three = arms(*ends, names=["west", "east", "splay"])
-        self.assert_not_converted(three, "'east', 'splay' and 'west' meet at (0, 0)", "same name",
+        names = ["west", "east", "splay"]
+        for branch in ((3, 4), (0, 5)):
+            self.assert_faults({"east": 6, "splay": 5, "west": 6},
+                               arms(*ends[:2], branch, names=names))
+        # No two of three go straighter on than the others. The remedy works.
+        x = 27 ** 0.5
+        star = arms((0, 6), (x, -3), (-x, -3), names=names)
+        self.assert_not_converted(star, "'east', 'splay' and 'west' meet at (0, 0)", "same name",
                                   "--names 3=main,4=main")
-        self.assert_faults({"main": 12, "splay": 5}, three, "--names", "east=main,west=main")
-        # A branch that ends at the joint of two names that continue each other in a T.
-        self.assert_not_converted(arms((-6, 0), (6, 0), (0, 4), names=["west", "east", "splay"]),
-                                  "meet at (0, 0)")
+        self.assert_faults({"main": 12, "splay": 6}, star, "--names", "east=main,west=main")
+
+    def test_joints_on_both_sides(self):
+        """What continues across another fault is one fault, and branches if it bends."""
+        names = ["main", "main", "west", "east"]
+        self.assert_faults({"east": 5, "main": 12, "west": 6},
+                           arms((0, 6), (0, -6), (-6, 0), (5, 0), names=names))
+        self.assertIn("crossing         east/west and main at (0, 0) m",
+                      mesh_tool.run("info", "case.h5").stdout)
+        self.assert_faults({"east": 5, "main": 12, "west": 6},
+                           arms((0, 6), (0, -6), (-6, 0), (3, 4), names=names))
+        info = mesh_tool.run("info", "case.h5").stdout
+        self.assertNotIn("crossing", info)
+        self.assertRegex(info, r"east.* 2 tips")
 
 
 if __name__ == "__main__":

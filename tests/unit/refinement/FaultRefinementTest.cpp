@@ -183,6 +183,26 @@ TEST(FaultRefinement, OfCrossings)
   expectGoodParts(coarse, 3);
 }
 
+// Names that continue each other across a fault, and branches on both sides of it.
+TEST(FaultRefinement, OfJointsOfNames)
+{
+  const auto faults = [](auto const& is_west) {
+    return Conditions<2>{{"dyke", [](auto& p) { return p[0] == 2.0; }},
+                         {"east", [](auto& p) { return p[1] == 0.0 && p[0] >= 2.0; }},
+                         {"west", is_west}};
+  };
+  const auto straight = faults([](auto& p) { return p[1] == 0.0 && p[0] <= 2.0; });
+  const auto bent = faults([](auto& p) { return p[1] == p[0] - 2.0 && p[0] <= 2.0; });
+  EXPECT_EQ(crossingsAt(slanted(straight, 4)).size(), 1u);
+  EXPECT_EQ(crossingsAt(slanted(bent, 4)).size(), 0u);
+  for (auto const& conditions : {straight, bent}) {
+    const auto coarse = slanted(conditions, 4);
+    expectSameSplit(wholeRefined(coarse, 1), slanted(conditions, 8));
+    expectGoodParts(coarse, 1);
+    expectGoodParts(coarse, 2);
+  }
+}
+
 // A piece of one facet, which has two tips and no node that slips before it is refined.
 TEST(FaultRefinement, OfASingleFacet)
 {

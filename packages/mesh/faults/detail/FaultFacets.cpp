@@ -3,15 +3,12 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/faults/detail/Continuations.hpp"
 
 namespace asperity::mesh::detail
 {
 namespace
 {
-// A ridge is the common part of two facets: a vertex in the plane, an edge in space.
-template <int Dim>
-using Ridge = std::array<int, Dim - 1>;
-
 template <int Dim>
 std::vector<FaultFacet<Dim>> collect(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
                                      std::vector<std::string> const& names,
@@ -59,7 +56,8 @@ public:
   {
   }
 
-  void run()
+  // Returns the facets of two faults that are one fault at their common ridge.
+  std::vector<std::array<int, 2>> run()
   {
     connect();
     std::vector<bool> is_done(facets_.size(), false);
@@ -68,6 +66,7 @@ public:
         choosePlus(orientConnected(static_cast<int>(f), is_done));
       }
     }
+    return std::move(joined_);
   }
 
 private:
@@ -106,12 +105,23 @@ private:
         ridges[vertices].push_back({static_cast<int>(f), sign});
       }
     }
+    std::map<Ridge<Dim>, std::vector<int>> joints;
     for (auto const& [vertices, there] : ridges) {
       if (there.size() == 2) {
         join(there[0], there[1]);
       } else if (there.size() > 2) {
         joinFacetsOfOneFault(vertices, there);
+        for (auto const& one : there) {
+          joints[vertices].push_back(one.facet);
+        }
       }
+    }
+    for (auto const& [vertices, pair] : continuations(mesh_, facets_, joints)) {
+      const auto at = [&there = ridges.at(vertices)](int facet) {
+        return *std::find_if(there.begin(), there.end(),
+                             [&](AtRidge const& one) { return one.facet == facet; });
+      };
+      join(at(pair[0]), at(pair[1]));
     }
   }
 
@@ -120,6 +130,9 @@ private:
     const bool looks_alike = a.sign != b.sign;
     neighbours_[a.facet].push_back({b.facet, looks_alike});
     neighbours_[b.facet].push_back({a.facet, looks_alike});
+    if (facets_[a.facet].fault != facets_[b.facet].fault) {
+      joined_.push_back({a.facet, b.facet});
+    }
   }
 
   // At a junction of several faults only facets of the same fault are connected.
@@ -238,23 +251,23 @@ private:
   std::string const& where_;
   std::vector<FaultFacet<Dim>>& facets_;
   std::vector<std::vector<Neighbour>> neighbours_;
+  std::vector<std::array<int, 2>> joined_;
 };
 } // namespace
 
 template <int Dim>
-std::vector<FaultFacet<Dim>>
-orientedFaultFacets(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
-                    std::vector<std::string> const& names, std::string const& where)
+OrientedFacets<Dim> orientedFaultFacets(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
+                                        std::vector<std::string> const& names,
+                                        std::string const& where)
 {
-  auto facets = collect(mesh, table, names, where);
-  Orientation<Dim>(mesh, names, where, facets).run();
-  return facets;
+  OrientedFacets<Dim> result;
+  result.facets = collect(mesh, table, names, where);
+  result.joined = Orientation<Dim>(mesh, names, where, result.facets).run();
+  return result;
 }
 
-template std::vector<FaultFacet<2>> orientedFaultFacets(GlobalMesh<2> const&, FacetTable<2> const&,
-                                                        std::vector<std::string> const&,
-                                                        std::string const&);
-template std::vector<FaultFacet<3>> orientedFaultFacets(GlobalMesh<3> const&, FacetTable<3> const&,
-                                                        std::vector<std::string> const&,
-                                                        std::string const&);
+template OrientedFacets<2> orientedFaultFacets(GlobalMesh<2> const&, FacetTable<2> const&,
+                                               std::vector<std::string> const&, std::string const&);
+template OrientedFacets<3> orientedFaultFacets(GlobalMesh<3> const&, FacetTable<3> const&,
+                                               std::vector<std::string> const&, std::string const&);
 } // namespace asperity::mesh::detail

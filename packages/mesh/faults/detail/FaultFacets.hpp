@@ -17,10 +17,18 @@ struct FaultFacet
   Facet outward;            // seen from the cell on the plus side
 };
 
-// All facets of the faults `names`, sorted by key, oriented as SplitFaults.hpp says. InputError,
-// which starts with `where`, if a facet is in two faults or they cannot be oriented.
 template <int Dim>
-std::vector<FaultFacet<Dim>>
-orientedFaultFacets(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
-                    std::vector<std::string> const& names, std::string const& where);
+struct OrientedFacets
+{
+  std::vector<FaultFacet<Dim>> facets; // sorted by key
+  // Numbers of facets of two faults that are one fault at their common ridge.
+  std::vector<std::array<int, 2>> joined;
+};
+
+// All facets of the faults `names`, oriented as SplitFaults.hpp says. InputError, which starts with
+// `where`, if a facet is in two faults or they cannot be oriented.
+template <int Dim>
+OrientedFacets<Dim> orientedFaultFacets(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
+                                        std::vector<std::string> const& names,
+                                        std::string const& where);
 } // namespace asperity::mesh::detail

@@ -3,6 +3,8 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 
+#include <iterator>
+#include <map>
 #include <set>
 
 namespace asperity::mesh::detail
@@ -22,6 +24,8 @@ std::string list(std::set<int> const& faults, std::vector<std::string> const& na
   return text;
 }
 
+// Names that go on into each other at the vertex are one fault, which has the number of its first
+// name.
 template <int Dim>
 class Decision
 {
@@ -38,7 +42,16 @@ public:
       , where_(where)
   {
     for (int facet : vertex.facets) {
-      faults_.insert(faultOf(facet));
+      fault_of_name_.emplace(nameOf(facet), nameOf(facet));
+    }
+    for (auto const& [a, b] : vertex.joined) {
+      const auto [first, second] = std::minmax({faultOf(a), faultOf(b)});
+      for (auto& [name, fault] : fault_of_name_) {
+        fault = fault == second ? first : fault;
+      }
+    }
+    for (auto const& [name, fault] : fault_of_name_) {
+      faults_.insert(fault);
     }
   }
 
@@ -49,23 +62,61 @@ public:
       requireTipInside();
       return {};
     }
-    if (sets.count == 4 && Dim == 2 && faults_.size() == 2 && !vertex_.is_on_surface) {
-      return splitAtCrossing();
+    if (sets.count == 2) {
+      return splitInTwo(sets);
     }
-    if (sets.count > 3) {
-      refuseCrossing(sets.count);
+    std::vector<int> going_on;
+    for (int fault : faults_) {
+      if (cutAlong(fault).count > 1) {
+        going_on.push_back(fault);
+      }
     }
-    return sets.count == 2 ? splitInTwo(sets) : splitAtBranch();
+    if (going_on.size() == 1) {
+      return splitAlong({going_on[0]}, cutAlong(going_on[0]));
+    }
+    if (going_on.size() == 2 && sets.count == 4 && Dim == 2 && !vertex_.is_on_surface) {
+      return splitAtCrossing({going_on[0], going_on[1]});
+    }
+    if (going_on.empty() && sets.count == 3 && faults_.size() == 3) {
+      refuseMeeting();
+    }
+    refuseCrossing(sets.count);
   }
 
 private:
-  int faultOf(int facet) const { return facets_[static_cast<std::size_t>(facet)].fault; }
+  int nameOf(int facet) const { return facets_[static_cast<std::size_t>(facet)].fault; }
+  int faultOf(int facet) const { return fault_of_name_.at(nameOf(facet)); }
+
+  // The sets that the cells form when this fault alone is cut.
+  Sets cutAlong(int fault) const
+  {
+    return star_.cut([&](int facet) { return faultOf(facet) == fault; });
+  }
+
+  std::vector<int> facetsOf(int fault) const
+  {
+    std::vector<int> its;
+    std::copy_if(vertex_.facets.begin(), vertex_.facets.end(), std::back_inserter(its),
+                 [&](int facet) { return faultOf(facet) == fault; });
+    return its;
+  }
+
+  std::string namesOf(std::set<int> const& faults) const
+  {
+    std::set<int> its;
+    for (auto const& [name, fault] : fault_of_name_) {
+      if (faults.count(fault) > 0) {
+        its.insert(name);
+      }
+    }
+    return list(its, names_);
+  }
 
   // A fault may end on the surface only where its trace on the surface ends.
   void requireTipInside() const
   {
     ASPERITY_REQUIRE(!vertex_.is_on_surface || vertex_.is_on_trace,
-                     where_ << ": a tip of " << list(faults_, names_)
+                     where_ << ": a tip of " << namesOf(faults_)
                             << " lies on the boundary of the body, at " << text(vertex_.place)
                             << ", but no edge of the fault does. Let the fault reach the boundary "
                                "along an edge, or end inside the body.");
@@ -74,14 +125,14 @@ private:
   [[noreturn]] void refuseCrossing(int num_sets) const
   {
     throw InputError(
-      where_ + ": " + list(faults_, names_) +
-      (faults_.size() > 1      ? " cross"
+      where_ + ": " + namesOf(faults_) +
+      (fault_of_name_.size() > 1 ? " cross"
        : vertex_.is_on_surface ? " crosses itself, or touches the boundary of the body and goes on,"
                                : " crosses itself") +
       " at " + text(vertex_.place) + ": the cells there are in " + std::to_string(num_sets) +
-      " parts, and more than two copies of a node are supported only where a fault with one name "
-      "ends inside the body at another fault" +
-      (Dim == 2 ? ", or two faults, each with one name, cross inside the body" : "") +
+      " parts, and more than two copies of a node are supported only where faults end inside the "
+      "body at another one" +
+      (Dim == 2 ? ", or two faults cross inside the body and no other one ends there" : "") +
       ". Let one fault, with a name of its own, end at the other or before it.");
   }
 
@@ -89,13 +140,13 @@ private:
   [[noreturn]] void refuseMeeting() const
   {
     throw InputError(
-      where_ + ": " + list(faults_, names_) + " meet at " + text(vertex_.place) +
-      ", where each of them ends. One fault has to go on there, and another one to end at it as a "
-      "branch, without slip at this node. Give the two that are to be one fault the same name: one "
-      "physical group, one condition in Mesh / Faults, or one name by 'asperity-mesh convert "
-      "--names 3=main,4=main' for groups 3 and 4. Or let one of the three end before it reaches "
-      "the "
-      "others.");
+      where_ + ": " + namesOf(faults_) + " meet at " + text(vertex_.place) +
+      ", where each of them ends and no two of them are clearly the straightest pair. One fault "
+      "has "
+      "to go on there, and another one to end at it as a branch, without slip at this node. Give "
+      "the two that are to be one fault the same name: one physical group, one condition in Mesh / "
+      "Faults, or one name by 'asperity-mesh convert --names 3=main,4=main' for groups 3 and 4. Or "
+      "let one of the three end before it reaches the others.");
   }
 
   int setOf(Sets const& sets, int cell) const
@@ -122,43 +173,21 @@ private:
     return splitAlong(main, sets);
   }
 
-  // Three sets: a branch divides the cells on one side of another fault.
-  VertexSplit splitAtBranch() const
-  {
-    std::set<int> branches;
-    for (int fault : faults_) {
-      const auto others = star_.cut([&](int facet) { return faultOf(facet) != fault; });
-      const auto alone = star_.cut([&](int facet) { return faultOf(facet) == fault; });
-      if (others.count == 2 && alone.count == 1) {
-        branches.insert(fault);
-      }
-    }
-    if (branches.size() == 3) {
-      refuseMeeting();
-    }
-    if (branches.size() != 1) {
-      refuseCrossing(3);
-    }
-    std::set<int> main = faults_;
-    main.erase(*branches.begin());
-    return splitAlong(main, star_.cut([&](int facet) { return main.count(faultOf(facet)) > 0; }));
-  }
-
   // Four sets in the plane: each of two faults that go on divides all cells in two.
-  VertexSplit splitAtCrossing() const
+  VertexSplit splitAtCrossing(std::array<int, 2> faults) const
   {
     VertexSplit::Crossing crossing;
-    crossing.faults = {*faults_.begin(), *faults_.rbegin()};
     const auto cells_left_of = [&](int fault) {
-      const auto sets = star_.cut([&](int facet) { return faultOf(facet) == fault; });
+      const auto sets = cutAlong(fault);
       return cellsIn(sets, plusSet({fault}, sets));
     };
-    auto plus_of_first = cells_left_of(crossing.faults[0]);
-    auto plus_of_second = cells_left_of(crossing.faults[1]);
-    if (!runsInto(crossing.faults[1], plus_of_first)) {
-      std::swap(crossing.faults[0], crossing.faults[1]);
+    auto plus_of_first = cells_left_of(faults[0]);
+    auto plus_of_second = cells_left_of(faults[1]);
+    if (!runsInto(faults[1], plus_of_first)) {
+      std::swap(faults[0], faults[1]);
       std::swap(plus_of_first, plus_of_second);
     }
+    crossing.facets = {facetsOf(faults[0]), facetsOf(faults[1])};
     const auto has = [](std::vector<int> const& cells, int cell) {
       return std::find(cells.begin(), cells.end(), cell) != cells.end();
     };
@@ -187,14 +216,14 @@ private:
   {
     return std::any_of(vertex_.facets.begin(), vertex_.facets.end(), [&](int number) {
       auto const& facet = facets_[static_cast<std::size_t>(number)];
-      return facet.fault == fault && facet.outward[0] == vertex_.number &&
+      return faultOf(number) == fault && facet.outward[0] == vertex_.number &&
              std::find(cells.begin(), cells.end(), facet.cells[0]) != cells.end();
     });
   }
 
   [[noreturn]] void refuseTouching() const
   {
-    throw InputError(where_ + ": " + list(faults_, names_) + " touch each other at " +
+    throw InputError(where_ + ": " + namesOf(faults_) + " touch each other at " +
                      text(vertex_.place) +
                      " and go on without crossing. Separate them by a cell or two, or give their "
                      "parts names so that one goes on and the others end at it.");
@@ -214,13 +243,16 @@ private:
   // Every facet of the main fault is between the two sets, and every branch within one of them.
   VertexSplit splitAlong(std::set<int> const& main, Sets const& sets) const
   {
+    if (sets.count != 2) {
+      refuseCrossing(sets.count);
+    }
     VertexSplit split;
     split.is_cut = true;
     const int plus = plusSet(main, sets);
     split.plus_cells = cellsIn(sets, plus);
     for (int fault : faults_) {
       if (main.count(fault) == 0) {
-        split.branches.push_back({fault, setOfBranch(fault, sets) == plus});
+        split.branches.push_back({facetsOf(fault), setOfBranch(fault, sets) == plus});
       }
     }
     return split;
@@ -236,7 +268,7 @@ private:
           refuseCrossing(sets.count);
         }
         ASPERITY_REQUIRE(plus < 0 || plus == there,
-                         where_ << ": " << list(main, names_) << " cannot be oriented at "
+                         where_ << ": " << namesOf(main) << " cannot be oriented at "
                                 << text(vertex_.place)
                                 << ": its plus side changes there. Give parts that only touch "
                                    "each other different names, and separate them.");
@@ -249,14 +281,12 @@ private:
   int setOfBranch(int fault, Sets const& sets) const
   {
     int there = -1;
-    for (int facet : vertex_.facets) {
-      if (faultOf(facet) == fault) {
-        const int set = setOf(sets, facets_[static_cast<std::size_t>(facet)].cells[0]);
-        if (separates(sets, facet) || (there >= 0 && there != set)) {
-          refuseCrossing(sets.count);
-        }
-        there = set;
+    for (int facet : facetsOf(fault)) {
+      const int set = setOf(sets, facets_[static_cast<std::size_t>(facet)].cells[0]);
+      if (separates(sets, facet) || (there >= 0 && there != set)) {
+        refuseCrossing(sets.count);
       }
+      there = set;
     }
     return there;
   }
@@ -266,7 +296,8 @@ private:
   std::vector<FaultFacet<Dim>> const& facets_;
   std::vector<std::string> const& names_;
   std::string const& where_;
-  std::set<int> faults_; // at the vertex
+  std::map<int, int> fault_of_name_; // at the vertex
+  std::set<int> faults_;
 };
 } // namespace
 

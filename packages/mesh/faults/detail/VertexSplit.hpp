@@ -14,13 +14,13 @@ struct VertexSplit
   std::vector<int> plus_cells; // of the cut
   struct Branch
   {
-    int fault;
+    std::vector<int> facets;
     bool is_on_plus_side; // of the cut
   };
-  std::vector<Branch> branches; // faults with a tip at the cut, ascending
+  std::vector<Branch> branches; // faults with a tip at the cut
   struct Crossing               // of two faults, with the first and second one of mesh::Crossing
   {
-    std::array<int, 2> faults;
+    std::array<std::vector<int>, 2> facets;
     std::array<std::vector<int>, 2> plus_cells; // on the plus side of this fault alone
     std::vector<int> both_cells;                // on the plus side of both
   };
@@ -33,9 +33,10 @@ struct FaultVertex
 {
   int number;
   Point<Dim> place;
-  std::vector<int> facets; // of faults, at the vertex
-  bool is_on_surface;      // of the body
-  bool is_on_trace;        // an edge of these facets through the vertex lies in the surface
+  std::vector<int> facets;                // of faults, at the vertex
+  std::vector<std::array<int, 2>> joined; // of these, as of OrientedFacets
+  bool is_on_surface;                     // of the body
+  bool is_on_trace; // an edge of these facets through the vertex lies in the surface
 };
 
 // InputError, which starts with `where`, if the vertex cannot be split. `facets` are the facets of
