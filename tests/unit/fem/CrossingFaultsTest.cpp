@@ -253,13 +253,13 @@ TEST(CrossingFaults, SlideInFourBlocksWithoutForce)
         }
       }
     }
-    EXPECT_LT(product(*matrices.stiffness, *x)->normInf(), 1e-13 * 5 * stiffest);
+    EXPECT_LT(product(*matrices.stiffness, *x)->normInf(), 1e-14 * 5 * stiffest);
     EXPECT_GT(x->norm2(), 1);
     auto const rigid = rigidBodyMotions(body.mesh, body.dofs, body.constraints.frames());
     MultiVector forces(matrices.stiffness->getRangeMap(), rigid->getNumVectors());
     matrices.stiffness->apply(*rigid, forces);
     for (std::size_t k = 0; k < rigid->getNumVectors(); ++k) {
-      EXPECT_LT(forces.getVector(k)->normInf(), 1e-13 * 5 * stiffest);
+      EXPECT_LT(forces.getVector(k)->normInf(), 1e-14 * 5 * stiffest);
     }
   }
   const Constrained<2> body(cross(), contact());
