@@ -27,8 +27,8 @@ namespace asperity::dynamics
 class StaticCondensation
 {
 public:
-  // The amplitudes of the motion of D in the fields of State::visitBody, in their order: s in u, and
-  // its derivatives in the others.
+  // The amplitudes of the motion of D in the fields of State::visitBody, in their order: s in u,
+  // and its derivatives in the others.
   using Amplitudes = std::vector<double>; // (numAmplitudes())
 
   // `whole` must live on one rank, its load must act on F alone, and prescribed velocities must

@@ -8,8 +8,8 @@ namespace asperity::dynamics
 using FaultProcesses = std::vector<std::shared_ptr<const FaultProcess>>;
 
 // What friction depends on in a state: its alpha and sigma_n, or what processes make of them, one
-// after the other. Its constructor allocates the memory, which has the values of one state at a time:
-// keep one where at() is called in every iteration.
+// after the other. Its constructor allocates the memory, which has the values of one state at a
+// time: keep one where at() is called in every iteration.
 class FrictionInput
 {
 public:

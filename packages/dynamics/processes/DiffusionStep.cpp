@@ -109,10 +109,10 @@ struct DiffusionStep::System
   }
 
   // Whether x has become the solution for the right side b, which is zero at fixed nodes. Conjugate
-  // gradients of its own: Belos makes a solver with new vectors for each solve, and there are two in
-  // each step, which need one or two iterations each on one rank, where the factor is exact.
-  // multigrid::FloatConjugateGradients are in single precision, which is too coarse for `tolerance`,
-  // and need a V-cycle.
+  // gradients of its own: Belos makes a solver with new vectors for each solve, and there are two
+  // in each step, which need one or two iterations each on one rank, where the factor is exact.
+  // multigrid::FloatConjugateGradients are in single precision, which is too coarse for
+  // `tolerance`, and need a V-cycle.
   bool solve(CrsMatrix const& K, Vector const& b, Vector& x)
   {
     x.putScalar(0);

@@ -102,7 +102,7 @@ bool hasWarning(std::string const& topic, std::vector<Warning> const& warnings)
 template <int Dim>
 void warnOfFlatCells(Problem<Dim> const& problem, Description& description)
 {
-  auto const& mesh = problem.settings.lists.mesh;
+  ParameterList const& mesh = problem.settings.lists.mesh;
   constexpr char const* entry = "Flat Cells Beside";
   if (!mesh.isParameter(entry)) {
     return;
@@ -130,7 +130,8 @@ void describeModel(Problem<Dim> const& problem, Description& description)
 {
   auto& lines = description.lines;
   std::ostringstream first;
-  first << problem.settings.lists.bulk.get<std::string>("Model") << ", "
+  ParameterList const& bulk = problem.settings.lists.bulk;
+  first << bulk.get<std::string>("Model") << ", "
         << (problem.settings.bulk.isQuasiDynamic() ? "quasi-dynamic, " : "inertial, ")
         << problem.mesh().num_global_vertices << " vertices, "
         << (problem.surface().numGlobalNodes() > 0
@@ -163,7 +164,7 @@ void describeModel(Problem<Dim> const& problem, Description& description)
 template <int Dim>
 Description describe(Problem<Dim> const& problem)
 {
-  auto const& settings = problem.settings;
+  DeckSettings const& settings = problem.settings;
   Description description{describeEnvironment(*problem.communicator), problem.findings.warnings};
   describeModel(problem, description);
   description.add(describeSize(problem));

@@ -120,8 +120,8 @@ std::string timesOf(std::vector<fem::MaxwellBranch> const& branches)
 template <int Dim>
 void requireSameKind(Problem<Dim> const& here, Problem<Dim> const& there, std::string const& run)
 {
-  auto const& ours = here.settings.lists;
-  auto const& others = there.settings.lists;
+  DeckLists const& ours = here.settings.lists;
+  DeckLists const& others = there.settings.lists;
   for (std::string const name : {"Law", "State Evolution"}) {
     requireSame("Asperity / Friction / " + name, ours.friction.get<std::string>(name),
                 others.friction.get<std::string>(name), run);
