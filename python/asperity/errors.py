@@ -13,5 +13,6 @@ class NothingToShow(Exception):
     """The run is sound but has no data for this figure, for example no events."""
 
 
-class OtherDimension(NothingToShow):
-    """The figure is for another number of dimensions; an error only if the user named it."""
+class OtherModel(NothingToShow):
+    """The figure is for another kind of model, as one in space; an error only if the user named
+    it."""

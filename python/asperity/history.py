@@ -6,7 +6,7 @@ from typing import Iterator, List, Optional, Tuple
 
 import numpy as np
 
-from .errors import InputError, NothingToShow, OtherDimension
+from .errors import InputError, NothingToShow, OtherModel
 from .h5file import H5File
 
 BLOCK_BYTES = 16 * 2**20
@@ -19,13 +19,13 @@ def is_surface(file: H5File) -> bool:
 
 
 def positions(file: H5File) -> np.ndarray:
-    """(nodes) distance [m] along the curve; OtherDimension if the nodes lie on a surface.
+    """(nodes) distance [m] along the curve; OtherModel if the nodes lie on a surface.
 
     Two are equal where a fault cuts the curve: it has a node on each side. Two are also equal where
     the curve has a gap.
     """
     if is_surface(file):
-        raise OtherDimension(f"{file.path.name} is not over a curve, as in two dimensions")
+        raise OtherModel(f"{file.path.name} is not over a curve, as in two dimensions")
     along = file.array("geometry/positions")
     if along.size < 2 or along[0] == along[-1] or not np.all(np.diff(along) >= 0.0):
         raise InputError(f"{file.path} has no two nodes with increasing positions, which a "

@@ -136,6 +136,14 @@ class Run:
         return catalogue.select(catalogue.with_nucleation(self._all_events), self.selection)
 
     @cached_property
+    def events_of_faults(self) -> Dict[str, Table]:
+        """The tables events_<fault>.csv by the name of the fault, with all events; none unless the
+        deck has several faults and `Each Fault`."""
+        names = sorted(path.name for path in self.directory.glob("events_*.csv"))
+        return {name[len("events_"):-len(".csv")]: read_table(self._path(name), "number", "onset")
+                for name in names if self.has(name)}
+
+    @cached_property
     def complete_events(self) -> Table:
         """The events that ended; the end of the run may have cut one off."""
         table = self.events

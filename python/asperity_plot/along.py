@@ -14,7 +14,7 @@ from asperity.run import Run
 from . import units
 
 PRESCRIBED, GIVEN_SLIP = "fields/prescribed", "fields/given_slip"
-MOST_FAULTS = 6  # with a panel of their own
+MOST_FAULTS = 24  # with a panel of their own
 FROM_UPPER_END = "Distance from the upper end of the fault"  # as in files and of receivers
 
 
@@ -74,18 +74,30 @@ def axis(run: Run, file: H5File, place: str) -> Axis:
 
 
 def faults(run: Run, file: H5File) -> List[Axis]:
-    """An axis for each fault, from its own upper end: of the pieces of the curve that do not touch,
-    without those whose slip rate is prescribed as a whole. Of very many pieces a single axis."""
+    """An axis for each of `pieces`, from its own upper end, without those whose slip rate is
+    prescribed as a whole. Of very many pieces a single axis."""
+    where, every = positions(file), pieces(file)
+    free = [each for each in every if _is_free(file, where)[each[1]].any()] or every
+    if len(every) == 1 or len(free) > MOST_FAULTS:
+        return [axis(run, file, "fault")]
+    found = [_axis(run, file, "fault", piece, (), where[piece.start]) for _, piece in free]
+    shown = units.length([each.metres(each.limits) for each in found])
+    return [replace(each, unit=shown, title=title) for each, (title, _) in zip(found, free)]
+
+
+def alike(faults: List[Axis]) -> List[Axis]:
+    """The same axes for panels that all have their positions downwards, or none."""
+    downwards = all(each.is_downwards for each in faults)
+    return [replace(each, is_downwards=downwards) for each in faults]
+
+
+def pieces(file: H5File) -> List[Tuple[str, slice]]:
+    """For each piece of the curve that continues no other one the boundaries that it is made of, as
+    the deck names them, and its nodes."""
     where = positions(file)
     starts = [0, *(np.flatnonzero(np.diff(where) == 0.0) + 1), where.size]
-    pieces = [slice(int(first), int(last)) for first, last in zip(starts, starts[1:])]
-    free = [piece for piece in pieces if _is_free(file, where)[piece].any()] or pieces
-    if len(pieces) == 1 or len(free) > MOST_FAULTS:
-        return [axis(run, file, "fault")]
-    found = [_axis(run, file, "fault", piece, (), where[piece.start]) for piece in free]
-    shown = units.length([each.metres(each.limits) for each in found])
-    return [replace(each, unit=shown, title=title)
-            for each, title in zip(found, _titles(file, where, free))]
+    found = [slice(int(first), int(last)) for first, last in zip(starts, starts[1:])]
+    return list(zip(_titles(file, where, found), found))
 
 
 def _titles(file: H5File, where: np.ndarray, pieces: List[slice]) -> List[str]:

@@ -4,12 +4,13 @@ from typing import List
 
 import numpy as np
 
+from asperity import network
 from asperity.catalogue import magnitude
 from asperity.errors import InputError, NothingToShow
 from asperity.run import Run
 from asperity.tables import Table
 
-from . import along, profiles, raster, units, windows
+from . import along, profiles, raster, style, units, windows
 from .markdown import Column, table
 from .windows import View
 
@@ -55,7 +56,15 @@ def events(run: Run, view: View) -> List[Column]:
         slips.insert(0, Column("largest slip", catalogue["peak_slip"]))
     unit = units.length([units.largest(column.values) for column in slips])
     columns += [Column(column.name, column.values, unit) for column in slips]
-    return columns + _moment(catalogue)
+    return columns + _moment(catalogue) + _faults(run)
+
+
+def _faults(run: Run) -> List[Column]:
+    """Those that each event breaks, where they have tables of their own."""
+    if not run.events_of_faults:
+        return []
+    names, is_broken = network.broken(run)
+    return [Column("breaks", [", ".join(np.array(names)[row]) for row in is_broken])]
 
 
 def _moment(catalogue: Table) -> List[Column]:
@@ -153,8 +162,17 @@ def _event_note(run: Run) -> str:
     cut = " The end of the run cut off the last event." \
         if len(run.complete_events) < len(run.events) else ""
     return (f"Events are times with a slip rate of at least {threshold} anywhere; slip at a place "
-            f"is all of it from onset to end. {MOMENT_NOTE} {YEAR_NOTE}{cut} "
+            f"is all of it from onset to end. {MOMENT_NOTE} {YEAR_NOTE}{cut} {_several(run)}"
             f"{run.selection}").rstrip()
+
+
+def _several(run: Run) -> str:
+    """How many events break more than one fault."""
+    if not run.events_of_faults:
+        return ""
+    count = round(network.share_of_several(run) * len(run.events))
+    return (f"{count} of {style.counted(len(run.events), 'event')} break more than one fault, each "
+            f"with {100 * network.SMALLEST_SHARE:g} % of the moment or more. ")
 
 
 CYCLE_NOTE = ("A cycle is all steps from the end of the event before to the end of this one; the "

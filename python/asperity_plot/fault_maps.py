@@ -17,7 +17,7 @@ LINES = 12  # of contours at most, about
 def draw(run: Run, view: View):
     """The figure; NothingToShow in two dimensions or without an event in the time shown."""
     where = plane.plane(run, run.ruptures if run.has("rupture.h5") else run.fault)
-    row = _row(run, view)
+    row = event_row(run, view)
     onset, end = interval_of(run, row)
     if onset >= run.fault.time[-1]:
         raise NothingToShow("fault.h5 ends before the event: a run that goes on writes it with its "
@@ -63,7 +63,7 @@ def _panels(where: plane.Plane):
     return figure, axes.ravel()
 
 
-def _row(run: Run, view: View) -> int:
+def event_row(run: Run, view: View) -> int:
     """Of the event that the zoom shows, or else the largest."""
     events = run.events
     if not len(events):

@@ -30,6 +30,8 @@ FIGURES = {  # what it shows, and the file that it needs
     "rupture_times": ("first arrival of each rupture over the distance along the fault",
                       "rupture.h5"),
     "moment_rate": ("moment rate and moment of each event", "global.csv"),
+    "traces": ("in the plane, of several faults: a map of their traces with slip and with the peak "
+               "slip rate of an event", "fault.h5"),
     "fault_maps": ("in 3D: slip of an event and its rupture front on the fault", "fault.h5"),
     "rupture_patterns": ("in 3D: rupture fronts of the last events side by side", "rupture.h5"),
     "fault_history": ("in 3D: peak slip rate, and slip rate along strike over time", "fault.h5"),

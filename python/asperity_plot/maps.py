@@ -9,11 +9,12 @@ from matplotlib.figure import Figure
 from asperity.history import History
 
 from . import raster, style, units
-from .along import Axis
+from .along import FROM_UPPER_END, Axis
 from .windows import View
 
 COLUMNS = 500    # of the picture of several cycles: two pixels each, to be visible
 POSITIONS = 500  # its rows
+HIGH, LOW = 3.0, 1.0  # [inches] of the panels of few and of many faults
 
 
 def panels(view: View, heights: Sequence[float] = (1.0,)) -> Tuple[Figure, np.ndarray]:
@@ -21,7 +22,7 @@ def panels(view: View, heights: Sequence[float] = (1.0,)) -> Tuple[Figure, np.nd
     rupture, in a row of each of the relative `heights`."""
     widths = [1.0] if view.zoom is None else [1.25, 1.0]
     lines = len(heights)
-    size = 11.0, 4.6 if lines == 1 else 2.0 + 3.0 * lines
+    size = 11.0, 4.6 if lines == 1 else 2.0 + lines * (LOW if are_low(lines) else HIGH)
     figure, axes = style.panels(lines, len(widths), size, sharey="row", gridspec_kw={
         "width_ratios": widths, "height_ratios": np.maximum(heights, 0.4 * max(heights))})
     for panel in axes.flat:
@@ -49,6 +50,8 @@ def time_axes(axes: np.ndarray, view: View) -> None:
         label_zoom(axes[0, 1], view, axes[-1, 1])
     for panel in axes[1:].flat:
         panel.set_xlim(axes[0, 0 if panel in axes[:, 0] else 1].get_xlim())
+    for panel in axes[:-1].flat if are_low(len(axes)) else ():
+        panel.tick_params(labelbottom=False)
 
 
 def label_cycles(axes: Axes, view: View, below: Optional[Axes] = None) -> None:
@@ -90,8 +93,24 @@ def zoom_unit(view: View) -> units.Unit:
     return units.duration(max(abs(view.zoom[0] - view.onset), view.zoom[1] - view.onset))
 
 
-def position_axis(axes: Sequence[Axes], along: Axis) -> None:
-    """Labels the shared axis of positions; depth grows downwards."""
-    axes[0].set_ylabel(along.label if not along.title else
-                       f"{along.title}\n{style.wrapped(along.label)}")
+def position_axis(axes: Sequence[Axes], along: Axis, is_low: bool = False) -> None:
+    """Labels the shared axis of positions; depth grows downwards. The label of one of several
+    faults begins with its name, beside a panel that `is_low` it is the name alone."""
+    label = along.label
+    if along.title:
+        label = style.wrapped(along.title, 14) if is_low else \
+            f"{along.title}\n{style.wrapped(label)}"
+    axes[0].set_ylabel(label)
     axes[0].set_ylim(along.range)
+
+
+def are_low(lines: int) -> bool:
+    """Whether the panels of so many faults share one label of their positions."""
+    return lines > style.FEW_FAULTS
+
+
+def common_label(figure: Figure, faults: Sequence[Axis]) -> None:
+    """That of the positions on all faults, beside low panels."""
+    labels = {where.label for where in faults}
+    figure.supylabel(labels.pop() if len(labels) == 1 else
+                     f"{FROM_UPPER_END} [{faults[0].unit.name}]")

@@ -6,7 +6,7 @@ from typing import List, Tuple
 import numpy as np
 from matplotlib.tri import Triangulation
 
-from asperity.errors import OtherDimension
+from asperity.errors import OtherModel
 from asperity.h5file import H5File
 from asperity.history import is_surface
 from asperity.run import Run
@@ -72,9 +72,9 @@ class Plane:
 
 
 def plane(run: Run, file: H5File) -> Plane:
-    """OtherDimension unless the nodes of `file` lie on a surface in three dimensions."""
+    """OtherModel unless the nodes of `file` lie on a surface in three dimensions."""
     if not is_surface(file):
-        raise OtherDimension(f"{file.path.name} is not over a surface, as in three dimensions")
+        raise OtherModel(f"{file.path.name} is not over a surface, as in three dimensions")
     nodes = file.array("geometry/coordinates")
     triangles = elements(file)
     names, numbers = _faults(file, len(nodes), triangles)

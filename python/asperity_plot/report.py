@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import List
 
 from asperity import selection
-from asperity.errors import InputError, NothingToShow, OtherDimension
+from asperity.errors import InputError, NothingToShow, OtherModel
 from asperity.journal import Journal
 from asperity.program import fail
 from asperity.run import Run
@@ -64,7 +64,7 @@ def _draw_all(run: Run, view: windows.View, folder: Path, options: Namespace) ->
         except NothingToShow as reason:
             # that of a call with other options
             (folder / f"{name}.{options.format}").unlink(missing_ok=True)
-            if options.figures or not isinstance(reason, OtherDimension):
+            if options.figures or not isinstance(reason, OtherModel):
                 print(f"No figure '{name}': {reason}.")
         except InputError as error:
             errors.append(str(error))

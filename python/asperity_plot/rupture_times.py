@@ -17,11 +17,12 @@ def draw(run: Run, view: View):
     numbers, arrivals = after_onset(run, view)
     if not numbers.size:
         raise NothingToShow("rupture.h5 has no event in the time shown")
-    faults = [where for where in (_reached(each, arrivals)
-                                  for each in along.faults(run, run.ruptures)) if where is not None]
+    faults = [where for where in (_reached(each, arrivals) for each in
+                                  along.alike(along.faults(run, run.ruptures)))
+              if where is not None]
     clock = units.duration(units.largest(arrivals))
     figure, axes = style.fault_panels(faults, (7.5, 5.0))
-    colours = style.event_colours(axes[-1], numbers)
+    colours = style.event_colours(style.upper_right(axes), numbers)
     positions = run.ruptures.array("geometry/positions")
     for panel, where in zip(axes, faults):
         for number, times in zip(numbers, clock(arrivals)):
@@ -30,6 +31,7 @@ def draw(run: Run, view: View):
         style.frame(panel, run, where, f"Time since the onset of the event [{clock.name}]")
         if where.is_downwards:
             panel.invert_yaxis()
+    style.share_labels(axes)
     threshold = float(run.ruptures.array("threshold")[0])
     style.title(figure, f"First time with V ≥ {units.plain(threshold, 'm/s')}")
     return figure

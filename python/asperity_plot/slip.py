@@ -19,22 +19,23 @@ def draw(run: Run, view: View):
     run.fault.require_two_times()
     times, heading = _times(run)
     slip = profiles.sign(run.fault) * raster.interpolated(run.fault, profiles.FIELD, times)
-    faults, unit = along.faults(run, run.fault), units.length(slip)
+    faults = [replace(where, is_downwards=False) for where in along.faults(run, run.fault)]
+    unit = units.length(slip)
     clock = units.duration(run.span[1])
     colours = style.colour_map(style.SEQUENCE_COLOURS, _norm(clock(times)))
-    figure, axes = style.panels(len(faults), 1, (8.0, 1.8 + 3.0 * len(faults)))
-    for panel, where in zip(axes[:, 0], faults):
+    figure, axes = style.fault_panels(faults, (8.0, 4.8))
+    for panel, where in zip(axes, faults):
         for time, profile in zip(times, unit(slip)):
-            along_axis = replace(where, is_downwards=False)
-            along_axis.line(panel, run.fault.position, profile, linewidth=0.8,
-                            color=colours.to_rgba(clock(time)))
+            where.line(panel, run.fault.position, profile, linewidth=0.8,
+                       color=colours.to_rgba(clock(time)))
         panel.set(xlabel=where.label, ylabel=profiles.label(run, unit))
-        panel.set_title(where.title, loc="right", fontweight="bold", color=style.DARK)
         panel.set_xlim(sorted(where(where.limits)))
         panel.margins(y=0.08)
         panel.grid(True)
         style.shade_zone(panel, run, where)
-    axes[0, 0].set_title(heading, loc="left" if len(faults) > 1 else "center")
+    style.share_labels(axes)
+    style.share_limits(axes, "y")
+    axes[0].set_title(heading, loc="left" if len(faults) > 1 else "center")
     figure.colorbar(colours, ax=axes, pad=0.02, aspect=32).set_label(f"Time [{clock.name}]")
     style.title(figure, profiles.title(run))
     return figure

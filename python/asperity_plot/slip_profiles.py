@@ -12,22 +12,24 @@ from asperity.run import Run
 from . import along, profiles, style, units
 from .windows import View
 
-MOST = 12  # events in one figure
+MOST = 12  # events in the panel of a fault, on the average
 ADVICE = "let Fault History write more rows"
 
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow if the history has a single row."""
     run.fault.require_two_times()
-    view = _with_few_events(run, view)
+    faults = along.alike(along.faults(run, run.fault))
+    view = _with_few_events(run, view, len(faults))
     families = lines(run, view)
-    faults = along.faults(run, run.fault)
     figure, axes = style.fault_panels(
         faults, (7.5, 5.0) if faults[0].is_downwards else (9.0, 5.0))
     unit = units.length([units.largest(each.slip) for each in families])
     for panel, where in zip(axes, faults):
         _draw(panel, run, families, where, unit)
-    _legend(axes[-1])
+    style.share_labels(axes)
+    style.share_limits(axes, "x" if faults[0].is_downwards else "y")
+    _legend(style.upper_right(axes))
     clock = units.duration(view.sequence[1])
     first, last = (units.rounded(time, 4) for time in clock(view.sequence))
     axes[0].set_title(f"From {first} to {last} {clock.name}", loc="left")
@@ -38,10 +40,10 @@ def draw(run: Run, view: View):
     return figure
 
 
-def _with_few_events(run: Run, view: View) -> View:
-    """The lines of more than MOST events would be one block: some cycles instead."""
+def _with_few_events(run: Run, view: View, num_faults: int) -> View:
+    """The lines of more than MOST events on a fault would be one block: some cycles instead."""
     events = profiles.events_within(run, view.sequence)
-    many = events is not None and len(events) > MOST and not view.chosen
+    many = events is not None and len(events) > MOST * num_faults and not view.chosen
     return replace(view, sequence=view.cycles) if many else view
 
 
@@ -89,8 +91,8 @@ def _draw(axes: Axes, run: Run, families: List[profiles.Family], where: along.Ax
 
 
 def _legend(axes: Axes) -> None:
-    """Above the panel."""
-    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.06), ncol=2, fontsize=8.5,
-                         borderaxespad=0.2)
+    """Above the panel and its title."""
+    legend = axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncol=2, fontsize=8.5,
+                         borderaxespad=2.4)
     for line in legend.get_lines():
         line.set_linewidth(1.5)

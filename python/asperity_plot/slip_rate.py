@@ -25,9 +25,11 @@ def draw(run: Run, view: View):
     faults = along.faults(run, run.fault)
     figure, axes = maps.panels(view, [np.ptp(each.limits) for each in faults])
     times = maps.cycles_unit(view)(raster.edges(view.cycles, maps.COLUMNS))
-    lines = None
+    lines, is_low = None, maps.are_low(len(faults))
+    if is_low:
+        maps.common_label(figure, faults)
     for row, where in zip(axes, faults):
-        maps.position_axis(row, where)
+        maps.position_axis(row, where, is_low)
         mesh = maps.colours(row[0], times, run.fault, cycles, where, norm=norm,
                             cmap=style.RATE_COLOURS)
         if view.zoom is not None:
@@ -42,7 +44,7 @@ def draw(run: Run, view: View):
     if lines is not None:
         bar.ax.hlines(lines, 0.0, 1.0, color="white", linewidth=0.7)
     style.title(figure, "Slip rate on the base of the wedge" if wedge.is_wedge(run.parameters)
-                else "Slip rate on the fault")
+                else f"Slip rate on the fault{'s' if len(faults) > 1 else ''}")
     return figure
 
 
@@ -60,8 +62,10 @@ def _zoom(run: Run, view: View, axes: Axes, where: along.Axis, norm: Normalize) 
     maps.colours(axes, shown, run.fault, logarithms, where, smooth=True, norm=norm,
                  cmap=style.RATE_COLOURS)
     decades = np.arange(np.ceil(norm.vmin + 0.25), np.floor(norm.vmax) + 1.0)
-    axes.contour(shown, where(run.fault.position[where.nodes]), logarithms[:, where.nodes].T,
-                 levels=decades, colors="white", linewidths=0.7, linestyles="solid")
+    values = logarithms[:, where.nodes].T
+    if values.max() > decades[0]:
+        axes.contour(shown, where(run.fault.position[where.nodes]), values, levels=decades,
+                     colors="white", linewidths=0.7, linestyles="solid")
     return decades
 
 

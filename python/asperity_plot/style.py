@@ -25,6 +25,8 @@ RATE_COLOURS = "magma"
 SURFACE_COLOURS = "RdBu_r"
 SEQUENCE_COLOURS = "viridis"
 FEW_EVENTS = 10  # that a legend lists one by one
+FEW_FAULTS = 4   # with panels of full size
+COLUMNS = 4      # of the smaller panels of more faults
 
 SETTINGS = {
     "font.family": "DejaVu Sans",
@@ -66,16 +68,48 @@ def panels(rows: int, columns: int, size, **options):
 
 def fault_panels(faults: Sequence[Axis], size):
     """A figure and a panel of `size` [inches] for each fault: side by side where positions grow
-    downwards, else one below the other; the panels of several faults have their names."""
+    downwards, else one below the other; more than FEW_FAULTS in lines of COLUMNS smaller ones. The
+    panels of several faults have their names."""
     count = len(faults)
     downwards = all(where.is_downwards for where in faults)
     lines, columns = (1, count) if downwards else (count, 1)
-    share = 1.0 if count == 1 else 0.75
-    figure, axes = panels(lines, columns, (size[0] * (1 + share * (columns - 1)),
-                                           size[1] * (1 + share * (lines - 1))))
+    first, further = 1.0, 1.0 if count == 1 else 0.75
+    if count > FEW_FAULTS:
+        lines, columns, first, further = -(-count // COLUMNS), COLUMNS, 0.6, 0.45
+    figure, axes = panels(lines, columns, (size[0] * (first + further * (columns - 1)),
+                                           size[1] * (first + further * (lines - 1))))
     for panel, where in zip(axes.flat, faults):
         panel.set_title(where.title, loc="right", fontweight="bold", color=DARK)
-    return figure, list(axes.flat)
+    for panel in axes.flat[count:]:
+        panel.remove()
+    return figure, list(axes.flat[:count])
+
+
+def upper_right(axes: Sequence[Axes]) -> Axes:
+    """The panel in the corner of `fault_panels`, above which there is place for a legend."""
+    return [panel for panel in axes if panel.get_subplotspec().is_first_row()][-1]
+
+
+def share_labels(axes: Sequence[Axes]) -> None:
+    """Leaves the labels of small panels to those of the first column and to the lowest ones, if all
+    have the same."""
+    if len(axes) <= FEW_FAULTS:
+        return
+    if len({(panel.get_xlabel(), panel.get_ylabel()) for panel in axes}) == 1:
+        for number, panel in enumerate(axes):
+            if number % COLUMNS:
+                panel.set_ylabel("")
+            if number + COLUMNS < len(axes):
+                panel.set_xlabel("")
+    for panel in axes:
+        panel.set(xlabel=wrapped(panel.get_xlabel()), ylabel=wrapped(panel.get_ylabel()))
+
+
+def share_limits(axes: Sequence[Axes], name: str) -> None:
+    """The same limits of the axis 'x' or 'y' in all panels, so that values can be compared."""
+    limits = np.array([getattr(panel, f"get_{name}lim")() for panel in axes])
+    for panel in axes:
+        panel.set(**{f"{name}lim": (limits.min(), limits.max())})
 
 
 def title(figure: Figure, text: str) -> None:

@@ -77,7 +77,7 @@ def _choose(run: Run, window: Optional[Window], span: Window) -> View:
     index = _median(events, rows[onsets[rows] >= 0.5 * (span[0] + span[1])])
     if index is None:
         index = int(rows[-1])
-    return _view(_cycles(onsets[rows], onsets[index], span), events, index, False)
+    return _view(_cycles(_recurrence(run, onsets[rows]), onsets[index], span), events, index, False)
 
 
 def over_sequence(run: Run, view: View) -> View:
@@ -113,11 +113,25 @@ def _median(events: Table, rows: np.ndarray) -> Optional[int]:
     return int(rows[np.argsort(size, kind="stable")[(rows.size - 1) // 2]])
 
 
-def _cycles(onsets: np.ndarray, centre: float, span: Window) -> Window:
-    """CYCLES median recurrence times around `centre` [s], moved and cut to fit the run."""
-    if onsets.size < 2:
+def _recurrence(run: Run, onsets: np.ndarray) -> Optional[float]:
+    """The median time [s] between `onsets`, or between the sizeable events of single faults where
+    these have tables; None of a single event."""
+    series = [onsets]
+    try:
+        of_faults = [table["onset"][_sizeable(table)]
+                     for table in run.events_of_faults.values() if len(table)]
+        series = of_faults if any(each.size > 1 for each in of_faults) else series
+    except InputError:
+        pass  # the tables of single faults only choose what is shown
+    times = np.concatenate([np.diff(each) for each in series])
+    return float(np.median(times)) if times.size else None
+
+
+def _cycles(recurrence: Optional[float], centre: float, span: Window) -> Window:
+    """CYCLES recurrence times [s] around `centre` [s], moved and cut to fit the run."""
+    if recurrence is None:
         return span
-    width = CYCLES * float(np.median(np.diff(onsets)))
+    width = CYCLES * recurrence
     first = min(max(centre - 0.5 * width, span[0]), max(span[1] - width, span[0]))
     return first, min(first + width, span[1])
 
