@@ -15,6 +15,8 @@ import numpy
 import mesh_tool
 
 MESHES = pathlib.Path(sys.argv.pop(1))
+NETWORK = ("main_west", "main_middle", "main_east", "north_west", "north_east", "south_west",
+           "south_east", "cross_middle", "cross_east", "link", "branch_north", "branch_south")
 
 # A square with a fault that rises from (1, 1) to the right side; `slope` is a constant.
 SQUARE = """// DefineConstant[hidden = 1];
@@ -139,17 +141,23 @@ class Faults(Geometry):
                 (["splay_2d.geo", "--set", "h=2000"], {"megathrust": 0, "deep": 0, "splay": 1}),
                 (["subduction_3d.geo", "--set", "h=16e3"], {"megathrust": 0, "deep": 0}),
                 (["subduction_3d.geo", "--set", "h=16e3", "--set", "right=500e3"],
-                 {"megathrust": 0, "deep": 0})):
+                 {"megathrust": 0, "deep": 0}),
+                (["network.geo", "--set", "h=600"], dict.fromkeys(NETWORK, 2))):
             with self.subTest(arguments):
                 self.assert_done("convert", arguments[0], "deck.h5", "--overwrite", *arguments[1:])
                 info = self.assert_done("info", "deck.h5")
                 tips = {name: int(number) for name, number
                         in re.findall(r"fault +(\w+): .* (\d+) tips?, ", info)}
                 self.assertEqual(tips, faults)
-                for name in ("surface", "left", "right", "bottom"):
+                for name in ("(surface|top)", "left", "right", "bottom"):
                     self.assertRegex(info, rf"boundary +{name}: ")
+                crossings = re.findall(r"crossing +(\w+ and \w+) at ", info)
+                self.assertEqual(crossings, ["cross_middle and main_middle",
+                                             "cross_east and main_east"]
+                                 if "main_east" in faults else [])
         self.assertEqual({path.name for path in MESHES.glob("*.geo")},
-                         {"bp3.geo", "subduction_2d.geo", "splay_2d.geo", "subduction_3d.geo"})
+                         {"bp3.geo", "network.geo", "subduction_2d.geo", "splay_2d.geo",
+                          "subduction_3d.geo"})
 
     def test_dip_in_space(self):
         """The interface of subduction_3d.geo steepens in proportion to its depth."""
