@@ -49,7 +49,7 @@ template <int Dim>
 std::vector<typename Mesh<Dim>::Facet> facetsOnSide(Mesh<Dim> const& mesh,
                                                     std::string const& boundary, Side side)
 {
-  const mesh::FaultSides<Dim> sides(mesh.splits);
+  const mesh::FaultSides<Dim> sides(mesh);
   auto facets = mesh.boundaries.at(boundary);
   for (auto& facet : facets) {
     facet = side == Side::plus ? sides.plusSide(facet) : sides.minusSide(facet);

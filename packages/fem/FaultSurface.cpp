@@ -125,14 +125,12 @@ void addTraction(FaultSurface const& surface, std::vector<double> const& tractio
 namespace
 {
 // The vertices at the place of a node of the fault, its own first.
-template <int Dim>
-std::vector<int> copiesOf(mesh::FaultSides<Dim> const& sides, int vertex)
+std::vector<int> copiesOf(mesh::FaultPairs const& pairs, int vertex)
 {
-  if (auto const* crossing = sides.findCrossing(vertex)) {
-    const int other = crossing->plus[crossing->plus[0] == vertex ? 1 : 0];
-    return {vertex, crossing->mean, other, crossing->both};
+  if (auto const* of = pairs.findCrossing(vertex)) {
+    return {vertex, of->crossing.mean, of->other(), of->crossing.both};
   }
-  auto const* split = sides.find(vertex);
+  auto const* split = pairs.find(vertex);
   return split ? std::vector<int>{vertex, split->minus} : std::vector<int>{vertex};
 }
 } // namespace
@@ -149,7 +147,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                                           constraints.held(), std::vector<IndexView>(), other_side,
                                           dofs.communicator());
   }
-  const mesh::FaultSides<Dim> sides(mesh.splits);
+  const mesh::FaultPairs pairs(mesh.splits);
   std::set<int> with_given_slip; // vertices
   for (auto const& name : given_slip) {
     for (auto const& facet : mesh.boundaries.at(name)) {
@@ -159,7 +157,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
   std::vector<FaultNode> nodes;
   for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
     FaultNode node;
-    node.copies = copiesOf(sides, measure.node);
+    node.copies = copiesOf(pairs, measure.node);
     node.weight = measure.weight;
     node.has_given_slip = with_given_slip.count(measure.node) > 0;
     for (int i = 0; i < Dim; ++i) {

@@ -38,7 +38,7 @@ bool isComplete(AnyMesh<Dim> const& mesh, typename Mesh<Dim>::Facet const& facet
 template <template <int> class AnyMesh, int Dim>
 std::set<typename Mesh<Dim>::Facet> sidesOfFaults(AnyMesh<Dim> const& mesh)
 {
-  const FaultSides<Dim> sides(mesh.splits);
+  const FaultSides<Dim> sides(mesh);
   std::set<typename Mesh<Dim>::Facet> facets;
   for (auto const& fault : mesh.faults) {
     for (auto const& facet : mesh.boundaries.at(fault)) {

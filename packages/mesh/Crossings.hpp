@@ -4,19 +4,17 @@
 
 namespace asperity::mesh
 {
-// A vertex at which two faults of the plane cross. The cells around it lie in four sectors, each of
-// which has a copy of the vertex:
+// A vertex at which two faults cross, in space one of those on the line along which they do. The
+// cells around it lie in four sectors, each of which has a copy of the vertex:
 //
 //                            second
-//                               ^
+//                               |
 //           plus of both:  both | plus[0]
-//                         ------+------>  first, whose plus side is the left one
-//       plus of second: plus[1] | mean
+//                         ------+------  first, whose plus side is the upper one
+//       plus of second: plus[1] | mean       (that of the second one is the left one)
 //
-// Facets are directed as in Mesh, with their plus side on the left. The second fault is the one
-// whose facets run to the plus side of the first one. The facets of the first fault have plus[0] on
-// both sides of the second one, those of the second fault plus[1]: these two are nodes of the
-// faults. FaultSides gives the vertices of the cells.
+// The facets of the first fault have plus[0] on both sides of the second one, those of the second
+// fault plus[1]: these two are nodes of the faults. FaultSides gives the vertices of the cells.
 //
 // Among the splits of a mesh a crossing is three pairs without a tip that have the same minus,
 // `mean`. Ascending in plus they are those of plus[0], of plus[1] and of `both`.
@@ -31,12 +29,12 @@ struct Crossing
 std::vector<Crossing> crossingsOf(std::vector<SplitVertex> const& splits);
 
 // Throws an InputError that starts with `where` if pairs without a tip share a minus other than as
-// a Crossing in the plane. The pairs consist of vertices of the mesh, GlobalMesh or Mesh.
+// a Crossing. The pairs consist of vertices of the mesh, GlobalMesh or Mesh.
 template <template <int> class AnyMesh, int Dim>
 void checkCrossings(AnyMesh<Dim> const& mesh, std::string const& where);
 
-// A crossing by its place [m] and the names of its two faults, the first one first. Two names that
-// are one fault there are "east/west".
+// A crossing by its place [m] and the names of its two faults, ascending. Two names that are one
+// fault there are "east/west".
 template <int Dim>
 struct NamedCrossing
 {
@@ -47,4 +45,18 @@ struct NamedCrossing
 // The crossings of a mesh that is split, in the order of crossingsOf.
 template <template <int> class AnyMesh, int Dim>
 std::vector<NamedCrossing<Dim>> namedCrossings(AnyMesh<Dim> const& mesh);
+
+// Crossings that follow one another along edges of both faults: in space a line, in the plane a
+// single one.
+template <int Dim>
+struct CrossingLine
+{
+  std::array<std::string, 2> faults; // as in NamedCrossing
+  int num_vertices = 0;
+  std::array<Point<Dim>, 2> ends{}; // two that are far from each other
+};
+
+// The lines of a mesh that is split, in the order of their first crossings.
+template <int Dim>
+std::vector<CrossingLine<Dim>> crossingLines(GlobalMesh<Dim> const& mesh);
 } // namespace asperity::mesh

@@ -62,7 +62,7 @@ struct Mesh
   //
   // The facets of a fault inside the body are those of its plus side, oriented outward from the
   // body there. They consist of plus vertices only, also at tips; with minus instead of plus they
-  // are the facets of the other side, but for the end at a crossing (SplitVertices.hpp gives both
+  // are the facets of the other side, but for corners at crossings (SplitVertices.hpp gives both
   // sides). Their normal points from plus to minus.
   std::map<std::string, std::vector<Facet>> boundaries;
 

@@ -170,7 +170,7 @@ std::vector<OuterFacet<Dim>> outerFacets(AnyMesh<Dim> const& mesh, Counts const&
   using Facet = typename GlobalMesh<Dim>::Facet;
   std::map<Facet, int> boundary_of;
   std::set<Facet> of_faults;
-  const FaultSides<Dim> sides(mesh.splits);
+  const FaultSides<Dim> sides(mesh);
   int number = 0;
   for (auto const& [name, facets] : mesh.boundaries) {
     const bool is_fault = std::binary_search(mesh.faults.begin(), mesh.faults.end(), name);

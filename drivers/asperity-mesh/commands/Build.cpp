@@ -94,23 +94,16 @@ void requireTolerance(GlobalMesh<3> const& mesh, BuildSettings const& settings)
 }
 
 // The mesh split along its faults. A mesh that cannot be split is refused before it is written.
-GlobalMesh<3> splitMesh(GlobalMesh<3> const& mesh, std::vector<Junction> const& junctions)
+GlobalMesh<3> splitMesh(GlobalMesh<3> const& mesh)
 {
   auto split = mesh;
   try {
     mesh::splitFaults(split, "The mesh");
     return split;
   } catch (InputError const& error) {
-    std::string advice;
-    for (auto const& junction : junctions) {
-      if (junction.is_crossing) {
-        advice += " Faults '" + junction.first + "' and '" + junction.second + "' cross from " +
-                  placeText(junction.from) + " to " + placeText(junction.to) +
-                  ": let one of them end at the other (cut its surface there, or raise Trim Stubs "
-                  "over the share of the smaller piece).";
-      }
-    }
-    throw InputError(error.what() + advice + " Nothing is written.");
+    throw InputError(error.what() +
+                     std::string(" Cut a surface where it meets the others, or raise Trim Stubs "
+                                 "over the share of its smaller piece. Nothing is written."));
   }
 }
 
@@ -149,7 +142,7 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
   for (auto& x : mesh.vertices) {
     x = settings.is_y_up ? Point<3>{x[0], x[2], -x[1]} : x;
   }
-  const auto split = splitMesh(mesh, junctions(arranged.complex, settings.model));
+  const auto split = splitMesh(mesh);
   if (partitioning.numParts()) {
     partitioning.write(split, {}, files.mesh);
   } else {

@@ -85,14 +85,18 @@ void printNames(GlobalMesh<Dim> const& mesh)
   }
 }
 
-// Where two faults of the plane cross.
+// Where two faults cross: points of the plane, lines in space.
 template <int Dim>
 void printCrossings(GlobalMesh<Dim> const& mesh)
 {
-  for (auto const& [place, faults] : mesh::namedCrossings(mesh)) {
-    auto const& [first, second] = std::minmax(faults[0], faults[1]);
-    std::cout << "crossing         " << first << " and " << second << " at " << mesh::text(place)
-              << " m\n";
+  for (auto const& [faults, num_vertices, ends] : mesh::crossingLines(mesh)) {
+    std::cout << "crossing         " << faults[0] << " and " << faults[1];
+    if (num_vertices > 1) {
+      std::cout << " at " << num_vertices << " vertices from " << mesh::text(ends[0]) << " to "
+                << mesh::text(ends[1]) << " m\n";
+    } else {
+      std::cout << " at " << mesh::text(ends[0]) << " m\n";
+    }
   }
 }
 

@@ -18,8 +18,10 @@ namespace asperity::fem
 //
 //   v = m +- d1/2 +- d2/2, with + on the plus side of this fault
 //
-// The fourth combination of four vertices, m + d1/2 + d2/2 +- e/2 with the product of the two
-// signs, would be no slip of either fault. It is held at zero at the node of `both`.
+// The fourth combination of four vertices adds +- e/4 with the product of the two signs: the slip
+// of each fault differs by e on the two sides of the other one. In the plane it would open a fault.
+// In space, along the line of the crossing, it would not; there the restriction to e = 0 converges
+// with the cell size. It is held at zero at the node of `both`.
 //
 // At a tip the jump is held at zero, and no cell has the vertex `plus`. Every other vertex is a
 // node of its own.

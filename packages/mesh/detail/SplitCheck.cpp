@@ -66,7 +66,7 @@ void checkSplits(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,
                  std::string const& where)
 {
   checkPairs(mesh, where);
-  const FaultSides<Dim> sides(mesh.splits);
+  const FaultSides<Dim> sides(mesh);
   for (auto const& name : mesh.faults) {
     ASPERITY_REQUIRE(mesh.boundaries.count(name) > 0,
                      where << ": fault '" << name << "' is not among the boundaries.");

@@ -18,9 +18,10 @@ namespace asperity::mesh
 // plus side get a copy of the vertex, plus, and all others keep the vertex, minus. If they do not
 // divide the cells, the fault ends inside the body: a tip. Faults whose facets divide the cells on
 // one side of another fault, or only touch it, are branches, and each ends there with a tip. Where
-// two faults cross in the plane, each of the four sets of cells has a vertex (Crossings.hpp).
-// Copies are numbered after the original vertices, in the order of these; cells and facets keep
-// their order.
+// two faults cross, each of the four sets of cells has a vertex (Crossings.hpp). In space they
+// cross along a line; where it ends inside the body, a fault that goes on is split in two, and the
+// other one has a tip on each side of it. Copies are numbered after the original vertices, in the
+// order of these; cells and facets keep their order.
 //
 // Names: faults of two names that end in one place, and where no other one is, are one fault there,
 // which may bend. Where others are, two that end are one fault
@@ -30,11 +31,10 @@ namespace asperity::mesh
 //   pair. The third one is a branch.
 // The vertices that they share belong to the facets of both.
 //
-// InputError, which starts with `where`, for faults that cross in space, for three that end in one
-// place or meet and go on, or that otherwise need more copies of a vertex, that touch without
-// crossing, that cannot be oriented, that touch the surface of the body in a single point, or that
-// have only tips; for a facet in two faults; for a boundary that is partly inside the body; for a
-// periodic mesh.
+// InputError, which starts with `where`, for three faults that end in one place or meet and go on,
+// for faults that otherwise need more copies of a vertex, that touch without crossing, that cannot
+// be oriented, that touch the surface of the body in a single point, or that have only tips; for a
+// facet in two faults; for a boundary that is partly inside the body; for a periodic mesh.
 template <int Dim>
 void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where);
 } // namespace asperity::mesh

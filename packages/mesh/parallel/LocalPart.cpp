@@ -67,7 +67,7 @@ public:
   explicit Cutter(GlobalMesh<Dim> const& mesh)
       : mesh_(mesh)
       , local_(mesh.vertices.size(), -1)
-      , sides_(mesh.splits)
+      , pairs_(mesh.splits)
   {
     for (auto const& [plus, minus, is_tip] : mesh.splits) {
       const int lowest = lowest_.emplace(minus, minus).first->second; // known if it is a plus, too
@@ -149,7 +149,7 @@ private:
   {
     part.faults = mesh_.faults;
     for (std::size_t v = 0; v < part.global_ids.size(); ++v) {
-      if (auto const* pair = sides_.find(static_cast<int>(part.global_ids[v]))) {
+      if (auto const* pair = pairs_.find(static_cast<int>(part.global_ids[v]))) {
         part.splits.push_back({static_cast<int>(v), local_[pair->minus], pair->is_tip});
       }
     }
@@ -175,7 +175,7 @@ private:
 
   GlobalMesh<Dim> const& mesh_;
   std::vector<int> local_; // vertex number in the current part, -1 for other vertices
-  FaultSides<Dim> sides_;
+  FaultPairs pairs_;
   std::unordered_map<int, int> lowest_; // of a vertex at a fault: the lowest one at its place
   std::unordered_multimap<int, int> at_lowest_; // all vertices at its place
 };

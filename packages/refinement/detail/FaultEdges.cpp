@@ -15,7 +15,7 @@ template <int Dim>
 FaultEdges<Dim>::FaultEdges(Mesh<Dim> const& part, std::string const& where)
     : part_(part)
     , where_(where)
-    , sides_(part.splits)
+    , sides_(part)
     , has_pair_(part.vertices.size(), false)
     , is_minus_of_tip_(part.vertices.size(), false)
 {
@@ -55,6 +55,7 @@ void FaultEdges<Dim>::decideEdgesOfTips()
     opened.insert(pair.plus);
     opened.insert(pair.minus);
   }
+  requireNoCrossing();
   for (auto const& [edge, facets] : tip_facets_) {
     if (!isOwned(edge)) {
       continue;
@@ -68,14 +69,54 @@ void FaultEdges<Dim>::decideEdgesOfTips()
   }
 }
 
+// A fault that has tips on both sides of an edge of another one crosses it there.
+template <int Dim>
+void FaultEdges<Dim>::requireNoCrossing() const
+{
+  for (auto const& pair : pairs_) {
+    const auto above = tip_facets_.find(pair.plus), below = tip_facets_.find(pair.minus);
+    if (above == tip_facets_.end() || below == tip_facets_.end()) {
+      continue;
+    }
+    for (auto const& one : above->second) {
+      for (auto const& other : below->second) {
+        if (*one.fault == *other.fault) {
+          refuseCopies(pair.plus, *one.fault);
+        }
+      }
+    }
+  }
+}
+
+template <int Dim>
+void FaultEdges<Dim>::refuseCopies(Edge const& edge, std::string const& fault) const
+{
+  throw InputError(where_ + ": fault '" + fault +
+                   "' meets itself or another one between two tips, at " +
+                   mesh::text(mesh::centroid(mesh::corners(part_, edge))) +
+                   ", where a new vertex would need more than two copies. Refine the mesh there "
+                   "before it is split, with a smaller cell size.");
+}
+
+// Each once. On the plus side of both faults that cross along an edge, each fault has another copy
+// on its minus side. Both of these have a pair with the fourth copy.
 template <int Dim>
 void FaultEdges<Dim>::sortPairs()
 {
-  std::sort(pairs_.begin(), pairs_.end(),
-            [](auto const& a, auto const& b) { return a.plus < b.plus; });
-  const auto end = std::unique(pairs_.begin(), pairs_.end(),
-                               [](auto const& a, auto const& b) { return a.plus == b.plus; });
-  pairs_.erase(end, pairs_.end());
+  std::map<Edge, std::set<std::pair<Edge, bool>>> minus_of; // with is_tip, by plus
+  for (auto const& pair : pairs_) {
+    minus_of[pair.plus].insert({pair.minus, pair.is_tip});
+  }
+  pairs_.clear();
+  for (auto const& [plus, found] : minus_of) {
+    auto [minus, is_tip] = *found.begin();
+    if (found.size() > 1) {
+      minus = minus_of.at(minus).begin()->first;
+      ASPERITY_ASSERT(found.size() == 2 && !is_tip &&
+                      minus == minus_of.at(found.rbegin()->first).begin()->first);
+    }
+    pairs_.push_back({plus, minus, is_tip});
+  }
 }
 
 template <int Dim>
@@ -154,14 +195,10 @@ void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& f
   if (sets.count == 1) {
     return; // a fault ends here
   }
-  const auto points = mesh::corners(part_, edge);
-  ASPERITY_REQUIRE(sets.count == 2 && plus.size() == 1 && minus.size() == 1 && plus != minus &&
-                     plus_edges.size() == 1,
-                   where_ << ": fault '" << *facets.front().fault
-                          << "' meets itself or another one between two tips, at "
-                          << mesh::text(mesh::centroid(points))
-                          << ", where a new vertex would need three copies. Refine the mesh "
-                             "there before it is split, with a smaller cell size.");
+  if (sets.count > 2 || plus.size() > 1 || minus.size() > 1 || plus == minus ||
+      plus_edges.size() > 1) {
+    refuseCopies(edge, *facets.front().fault);
+  }
   auto& cut = cuts_[edge];
   cut.plus = *plus_edges.begin();
   for (std::size_t i = 0; i < star.cells().size(); ++i) {
@@ -172,10 +209,14 @@ void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& f
 }
 
 template <int Dim>
-Edge FaultEdges<Dim>::edgeOfFacet(Edge const& edge) const
+std::array<Edge, 2> FaultEdges<Dim>::copiesOfEdge(Facet const& facet, int i, int j) const
 {
-  const Edge plus_edge = sides_.plusSide(edge);
-  return plus_edge == sides_.minusSide(edge) ? edge : plus_edge;
+  const auto plus_facet = sides_.plusSide(facet), minus_facet = sides_.minusSide(facet);
+  const Edge plus{plus_facet[i], plus_facet[j]}, minus{minus_facet[i], minus_facet[j]};
+  if (plus == minus) {
+    return {Edge{facet[i], facet[j]}, Edge{facet[i], facet[j]}};
+  }
+  return {plus, minus};
 }
 
 template class FaultEdges<2>;

@@ -19,7 +19,8 @@ bool hasVertices(std::array<int, N> const& cell, std::array<int, M> const& simpl
 }
 
 // A pair of new vertices on a fault: the midpoints of the edges `plus` and `minus`, which are
-// copies of one edge of a facet.
+// copies of one edge of a facet. Of the four copies of an edge along which two faults cross, three
+// are the plus of a pair with the fourth one.
 struct MidpointPair
 {
   Edge plus, minus; // local vertices, ascending
@@ -43,7 +44,8 @@ class FaultEdges
 public:
   using Facet = typename Mesh<Dim>::Facet;
 
-  // InputError, which starts with `where`, if a midpoint needs three copies. Not collective.
+  // InputError, which starts with `where`, if a midpoint needs copies that the edges of cells do
+  // not tell apart. Not collective.
   FaultEdges(Mesh<Dim> const& part, std::string const& where);
 
   // Edges of facets between two tips, by their plus vertices: no cell has them.
@@ -62,8 +64,9 @@ public:
   // The pairs of the edges with an owned end; each once.
   std::vector<MidpointPair> const& pairs() const { return pairs_; }
 
-  // The edge whose midpoint is a vertex of the fault: `edge` is one of a facet, of plus vertices.
-  Edge edgeOfFacet(Edge const& edge) const;
+  // The copies, on both sides of a facet of a fault, of its edge between the corners i and j. At
+  // tips both are the edge of the facet itself, which no cell has.
+  std::array<Edge, 2> copiesOfEdge(Facet const& facet, int i, int j) const;
 
   bool isOfPair(int vertex) const { return has_pair_[static_cast<std::size_t>(vertex)]; }
 
@@ -82,9 +85,11 @@ private:
   void addFacet(std::string const& fault, Facet const& facet);
   void findRings();
   void decideEdgesOfTips();
+  void requireNoCrossing() const;
   void sortPairs();
 
   void decideCut(Edge const& edge, std::vector<TipFacet> const& facets);
+  [[noreturn]] void refuseCopies(Edge const& edge, std::string const& fault) const;
   int cellSetOn(Star const& star, typename Star::Sets const& sets, Facet const& facet,
                 bool plus_side) const;
   bool isOwned(Edge const& edge) const

@@ -6,6 +6,7 @@
 #include "refinement/detail/RefinedPairs.hpp"
 
 #include <memory>
+#include <unordered_map>
 
 namespace asperity::refinement::detail
 {
@@ -39,10 +40,14 @@ public:
     pairs_ = pairsOf(needed_, coarse_, faults_, points_, communicator_);
     numberVertices();
     renumber(fine_.mesh.cells);
-    for (auto const& [name, facets] : coarse_.boundaries) {
-      divideFacets(name, facets);
-    }
     addPairs();
+    for (auto const& [name, facets] : coarse_.boundaries) {
+      if (std::binary_search(coarse_.faults.begin(), coarse_.faults.end(), name)) {
+        divideFacetsOfFault(name, facets);
+      } else {
+        divideFacets(name, facets);
+      }
+    }
     fine_.mesh.num_global_vertices = points_.numGlobal();
     fine_.mesh.period = coarse_.period;
     fine_.mesh.region_names = coarse_.region_names;
@@ -150,34 +155,69 @@ private:
     return number >= 0 ? number : localVertex(fine_.mesh, points_.id(point));
   }
 
+  static constexpr auto num_edges_of_facet = std::size(FacetRule<Dim>::edges);
+  using PointsOfFacet = std::array<int, Dim + num_edges_of_facet>; // corners, then midpoints
+
   void divideFacets(std::string const& name, std::vector<Facet> const& facets)
   {
-    auto& fine = fine_.mesh.boundaries[name];
-    const bool is_fault = std::binary_search(coarse_.faults.begin(), coarse_.faults.end(), name);
-    constexpr auto num_edges = std::size(FacetRule<Dim>::edges);
-    std::array<int, Dim + num_edges> points;
+    PointsOfFacet points;
     for (auto const& facet : facets) {
       std::copy(facet.begin(), facet.end(), points.begin());
-      for (std::size_t e = 0; e < num_edges; ++e) {
+      for (std::size_t e = 0; e < num_edges_of_facet; ++e) {
         auto const& [i, j] = FacetRule<Dim>::edges[e];
-        points[Dim + e] = is_fault ? midpointOnFault({facet[i], facet[j]})
-                                   : cut_cells_.midpoint(facet, facet[i], facet[j]);
+        points[Dim + e] = cut_cells_.midpoint(facet, facet[i], facet[j]);
       }
-      for (auto const& child : FacetRule<Dim>::children) {
-        auto simplex = childOf<Facet>(points, child);
-        if (isOwned(simplex)) {
-          std::transform(simplex.begin(), simplex.end(), simplex.begin(),
-                         [this](int point) { return numberOf(point); });
-          fine.push_back(simplex);
-        }
+      addChildren(
+        points, [this, &points](int k) { return numberOf(points[k]); },
+        fine_.mesh.boundaries[name]);
+    }
+    fine_.mesh.boundaries[name]; // also without facets
+  }
+
+  void divideFacetsOfFault(std::string const& name, std::vector<Facet> const& facets)
+  {
+    PointsOfFacet points, below; // on the plus side, on the minus side
+    for (auto const& facet : facets) {
+      std::copy(facet.begin(), facet.end(), points.begin());
+      for (std::size_t e = 0; e < num_edges_of_facet; ++e) {
+        auto const& [i, j] = FacetRule<Dim>::edges[e];
+        const auto [plus, minus] = faults_.copiesOfEdge(facet, i, j);
+        points[Dim + e] = points_.midpoint(plus[0], plus[1]);
+        below[Dim + e] = points_.midpoint(minus[0], minus[1]);
+      }
+      const auto vertex_of = [&](int k) {
+        return k < Dim ? numberOf(points[k]) : nodeOf(numberOf(points[k]), below[k]);
+      };
+      addChildren(points, vertex_of, fine_.mesh.boundaries[name]);
+    }
+    fine_.mesh.boundaries[name]; // also without facets
+  }
+
+  // The children of a facet that touch an owned vertex; vertex_of(place) is a vertex of the mesh.
+  template <class VertexOf>
+  void addChildren(PointsOfFacet const& points, VertexOf const& vertex_of,
+                   std::vector<Facet>& fine) const
+  {
+    for (auto const& child : FacetRule<Dim>::children) {
+      if (isOwned(childOf<Facet>(points, child))) {
+        Facet facet;
+        std::transform(std::begin(child), std::end(child), facet.begin(), vertex_of);
+        fine.push_back(facet);
       }
     }
   }
 
-  int midpointOnFault(Edge const& edge) const
+  // The vertex of the facets of a fault at the place of a vertex of its plus side. The two differ
+  // at crossings, on the plus side of both faults: there the minus side of the fault has the vertex
+  // of the other one.
+  int nodeOf(int vertex, int point_below) const
   {
-    const Edge cells_have = faults_.edgeOfFacet(edge);
-    return points_.midpoint(cells_have[0], cells_have[1]);
+    const auto crossing = crossings_.find(vertex);
+    if (crossing == crossings_.end()) {
+      return vertex;
+    }
+    auto const& plus = crossing->second.plus;
+    return plus[plus[0] == numberOf(point_below) ? 1 : 0];
   }
 
   void addPairs()
@@ -188,6 +228,9 @@ private:
     }
     std::sort(splits.begin(), splits.end(),
               [](auto const& a, auto const& b) { return a.plus < b.plus; });
+    for (auto const& crossing : mesh::crossingsOf(splits)) {
+      crossings_.emplace(crossing.both, crossing);
+    }
   }
 
   Mesh<Dim> const& coarse_;
@@ -199,6 +242,7 @@ private:
   std::vector<char> needed_; // (num_points) 1 if a vertex of the refined part
   std::vector<int> number_;  // (num_points) its local number, or -1
   std::vector<PointPair> pairs_;
+  std::unordered_map<int, mesh::Crossing> crossings_; // of the refined part, by `both`
   OwnedPart<Dim> fine_;
 };
 } // namespace

@@ -310,6 +310,44 @@ TEST(CrossingFaults, HaveTwoNodesAtTheCrossing)
   }
 }
 
+// Two names that are one fault at the crossing share its node: all is as with one name.
+TEST(CrossingFaults, OfNamesThatContinueEachOther)
+{
+  const auto along = [](auto const& is_there) {
+    return [=](Point<2> const& x) { return std::abs(x[1] - 1) < off && is_there(x[0]); };
+  };
+  auto whole = uniformRectangle(6, 4, size_x, size_y);
+  mesh::addFaults<2>(whole, {{"east", along([](double x) { return x > 1.5 - off; })},
+                             {"upright", [](auto& x) { return std::abs(x[0] - 1.5) < off; }},
+                             {"west", along([](double x) { return x < 1.5 + off; })}});
+  mesh::splitFaults(whole, "test");
+  const Boundaries level = {"east", "west"};
+  Constrained<2> body(whole, {{"East", "east", ContactAcrossFault{level}},
+                              {"Upright", "upright", ContactAcrossFault{{"upright"}}},
+                              {"West", "west", ContactAcrossFault{level}}});
+  Constrained<2> expected(cross(), contact());
+  const auto surface_of = [](Constrained<2>& one, std::vector<std::string> const& names) {
+    auto const matrices =
+      assembleBody<2>(one.mesh, one.dofs, one.constraints.frames(), fourMaterials(one.mesh));
+    return makeFaultSurface(one.mesh, mesh::joinBoundaries(one.mesh, names), one.constraints,
+                            one.dofs, *matrices.stiffness->getCrsGraph(), OtherSide::body);
+  };
+  auto const surface = surface_of(body, {"east", "upright", "west"}),
+             reference = surface_of(expected, {"level", "upright"});
+  ASSERT_EQ(surface->numNodes(), reference->numNodes());
+  EXPECT_EQ(surface->numSliding(), reference->numSliding());
+  for (int node = 0; node < surface->numNodes(); ++node) {
+    auto const &one = (*surface)[node], &other = (*reference)[node];
+    EXPECT_EQ(one.copies, other.copies);
+    EXPECT_EQ(one.dofs, other.dofs);
+    EXPECT_NEAR(one.weight, other.weight, 1e-14);
+    for (int d = 0; d < 2; ++d) {
+      EXPECT_NEAR(one.normal[d], other.normal[d], 1e-14);
+      EXPECT_NEAR(one.tangents[0][d], other.tangents[0][d], 1e-14);
+    }
+  }
+}
+
 // In a body under uniform stress each node bears the traction of its own facets.
 TEST(CrossingFaults, BearTheNormalStressOfEach)
 {

@@ -2,6 +2,7 @@
 
 #include "meshing/Features.hpp"
 
+#include "mesh/Crossings.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 
 #include "base/Errors.hpp"
@@ -63,7 +64,7 @@ TEST(Built, JointIsSplit)
   asperity::mesh::checkMesh(mesh, "The mesh");
 }
 
-// The mesh of faults that cross is right; to split it is not possible yet.
+// Two faults that cross, and a third one that ends at one of them.
 TEST(Built, CrossingFaults)
 {
   const auto given =
@@ -76,6 +77,17 @@ TEST(Built, CrossingFaults)
   EXPECT_NEAR(areaOf(mesh, "main"), 450 * km * km, 1e-3 * 450 * km * km);
   EXPECT_NEAR(areaOf(mesh, "cross"), 240 * km * km, 1e-3 * 240 * km * km);
   EXPECT_NEAR(volumeOf(mesh), 70. * 54 * 30 * km * km * km, 1e-6 * km * km * km * km);
+  asperity::mesh::splitFaults(mesh, "The mesh");
+  asperity::mesh::checkMesh(mesh, "The mesh");
+  const auto lines = asperity::mesh::crossingLines(mesh);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].faults, (std::array<std::string, 2>{"cross", "main"}));
+  EXPECT_GT(lines[0].num_vertices, 5); // 15 km with cells of 2 km, without the tip at the bottom
+  for (auto const& end : lines[0].ends) {
+    EXPECT_NEAR(end[0], 5 * km, 1e-3 * km);
+    EXPECT_NEAR(end[1], 0, 1e-3 * km);
+  }
+  EXPECT_NEAR(std::max(lines[0].ends[0][2], lines[0].ends[1][2]), 0, 1e-3 * km);
 }
 
 // From wall to wall and down to the bottom: the fault divides the box.

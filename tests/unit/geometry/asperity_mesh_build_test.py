@@ -286,10 +286,19 @@ class Build(unittest.TestCase):
                              "--units", "km", *OPTIONS[:4], "--set", "Box/Lower={-3e4,-3e4,-3e4}",
                              "--set", "Box/Upper={3e4,3e4,0}"], "'far'", "Units", "900")
 
-    def test_crossing_faults_are_named_with_advice(self):
-        self.assert_refused(["out.h5", "--fault", "main=main.off", "--fault",
-                             "across=across.off", "--units", "km", *OPTIONS],
-                            "'across' and 'main' cross", "end at the other", "Nothing is written")
+    def test_crossing_faults(self):
+        """Two may cross; three that do in one point are named with advice."""
+        two = ("--fault", "main=main.off", "--fault", "across=across.off", "--units", "km",
+               *OPTIONS)
+        result = run(MESH, "build", "two.h5", *two)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(run(MESH, "info", "two.h5").stdout,
+                         r"crossing         across and main at \d+ vertices from \(.* to \(")
+        pathlib.Path("two.h5").unlink()
+        write_rectangle("level.off", (-3.0, -3.0, -5.0), (6.0, 0, 0), (0, 6.0, 0))
+        self.assert_refused(["out.h5", "--fault", "level=level.off", *two],
+                            "'across', 'level' and 'main' cross", "end at the other",
+                            "Nothing is written")
 
     def test_tolerance(self):
         # A sharp ridge that cells of this size cannot follow is rounded off.

@@ -49,6 +49,15 @@ std::vector<long long> inWhole(std::vector<int> const& vertices, Mesh<Dim> const
   return ids;
 }
 
+template <int Dim>
+std::array<int, Dim> numbersInWhole(std::array<int, Dim> facet, Mesh<Dim> const& part)
+{
+  for (int& vertex : facet) {
+    vertex = static_cast<int>(part.global_ids[vertex]);
+  }
+  return facet;
+}
+
 // Pairs of which one vertex is here are here as a whole, and no others; cells and facets are those
 // that touch an owned vertex; every vertex is in one of these cells or in a pair.
 template <int Dim>
@@ -89,7 +98,7 @@ void expectGoodPart(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
   }
   EXPECT_EQ(part.cells.size(), num_cells);
   EXPECT_EQ(here, needed);
-  const FaultSides<Dim> sides(part.splits);
+  const FaultSides<Dim> sides(part), sides_in_whole(mesh);
   for (auto const& [name, facets] : mesh.boundaries) {
     num_facets += std::count_if(facets.begin(), facets.end(), touches);
     num_facets_here += part.boundaries.at(name).size();
@@ -100,6 +109,9 @@ void expectGoodPart(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
       for (int vertex : facet) {
         EXPECT_TRUE(sides.find(vertex)) << fault;
       }
+      const auto whole = numbersInWhole<Dim>(facet, part);
+      EXPECT_EQ(numbersInWhole<Dim>(sides.plusSide(facet), part), sides_in_whole.plusSide(whole));
+      EXPECT_EQ(numbersInWhole<Dim>(sides.minusSide(facet), part), sides_in_whole.minusSide(whole));
     }
   }
 }
@@ -130,18 +142,20 @@ void expectGoodParts(GlobalMesh<Dim> const& mesh)
 TEST(FaultPartition, KeepsPairsTogetherInThePlane) { expectGoodParts(branchedRectangle()); }
 TEST(FaultPartition, KeepsPairsTogetherInSpace) { expectGoodParts(branchedBox()); }
 
-TEST(FaultPartition, KeepsTheCopiesOfACrossingTogether)
+namespace
 {
-  const auto mesh = crossedRectangle();
-  expectGoodParts(mesh);
+template <int Dim>
+void expectCrossingsKept(GlobalMesh<Dim> const& mesh, std::size_t num_crossings)
+{
   std::set<std::array<long long, 4>> expected;
   for (auto const& [mean, plus, both] : crossingsOf(mesh.splits)) {
     expected.insert({mean, plus[0], plus[1], both});
   }
-  ASSERT_EQ(expected.size(), 2u);
+  ASSERT_EQ(expected.size(), num_crossings);
   for (int num_parts : {2, 3, 5}) {
     std::multiset<std::array<long long, 4>> owned;
     for (auto const& part : localParts(mesh, partitionVertices(mesh, num_parts), num_parts)) {
+      expectGoodPart(mesh, part.mesh);
       auto const& ids = part.mesh.global_ids;
       for (auto const& [mean, plus, both] : crossingsOf(part.mesh.splits)) {
         const std::array<long long, 4> crossing = {ids[mean], ids[plus[0]], ids[plus[1]],
@@ -154,6 +168,18 @@ TEST(FaultPartition, KeepsTheCopiesOfACrossingTogether)
     }
     EXPECT_EQ(owned, std::multiset(expected.begin(), expected.end()));
   }
+}
+} // namespace
+
+TEST(FaultPartition, KeepsTheCopiesOfACrossingTogether)
+{
+  expectGoodParts(crossedRectangle());
+  expectCrossingsKept(crossedRectangle(), 2);
+  // In space along a line that ends at z = 1.
+  expectCrossingsKept(
+    split(faultedBox({{"main", [](auto& p) { return p[1] == 0.0; }},
+                      {"other", [](auto& p) { return p[0] == 2.0 && p[2] >= 1.0; }}})),
+    3);
 }
 
 TEST(FaultPartition, OnePartIsTheMesh)

@@ -82,7 +82,7 @@ void expectCutAlongFaultsOnly(GlobalMesh<Dim> const& before, GlobalMesh<Dim> con
 {
   using Facet = typename GlobalMesh<Dim>::Facet;
   std::map<Facet, std::set<int>> tips_of_facet; // by the original vertices
-  const FaultSides<Dim> sides(after.splits);
+  const FaultSides<Dim> sides(after);
   for (auto const& name : after.faults) {
     auto const& facets = before.boundaries.at(name);
     for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -148,7 +148,7 @@ void expectGoodSplit(GlobalMesh<Dim> const& before, GlobalMesh<Dim> const& after
   EXPECT_DOUBLE_EQ(cellSizes(after).measure, cellSizes(before).measure);
   expectCutAlongFaultsOnly(before, after);
 
-  const FaultSides<Dim> sides(after.splits);
+  const FaultSides<Dim> sides(after);
   const detail::FacetTable<Dim> table(after.cells);
   for (auto const& [name, facets] : after.boundaries) {
     ASSERT_EQ(facets.size(), before.boundaries.at(name).size());
@@ -168,6 +168,31 @@ void expectGoodSplit(GlobalMesh<Dim> const& before, GlobalMesh<Dim> const& after
         has_cell_inside = has_cell_inside || dot<Dim>(inward, normal) < 0.0;
       }
       EXPECT_TRUE(has_cell_inside) << name;
+    }
+  }
+}
+
+// FaultSides gives each facet of a fault the cells on its two sides.
+template <int Dim>
+void expectSidesOfFacets(GlobalMesh<Dim> const& mesh)
+{
+  const FaultSides<Dim> sides(mesh);
+  const detail::FacetTable<Dim> table(mesh.cells);
+  for (auto const& name : mesh.faults) {
+    for (auto const& facet : mesh.boundaries.at(name)) {
+      const auto points = corners(mesh, facet);
+      for (const bool is_plus : {true, false}) {
+        const auto [first, last] =
+          table.find(is_plus ? sides.plusSide(facet) : sides.minusSide(facet));
+        bool is_found = false; // between tips both cells have the facet
+        for (auto entry = first; entry != last; ++entry) {
+          const auto inside = centroid(corners(mesh, mesh.cells[entry->cell]));
+          const bool is_within =
+            dot<Dim>(difference<Dim>(inside, points[0]), areaNormal(points)) < 0.0;
+          is_found = is_found || is_within == is_plus;
+        }
+        EXPECT_TRUE(is_found) << name << " at " << points[0][0] << ", " << points[0][1];
+      }
     }
   }
 }

@@ -109,6 +109,10 @@ TEST_F(PartitionedFile, GivesEveryRankItsPartOfFaultsThatCross)
     2));
   ASSERT_EQ(crossingsOf(mesh.splits).size(), 1u);
   expectParts<2>(mesh, {"main", 4});
+  const auto in_space = split(faultedBox({{"dyke", [](auto& p) { return p[0] == 2.0; }},
+                                          {"main", [](auto& p) { return p[1] == 0.0; }}}));
+  ASSERT_EQ(crossingsOf(in_space.splits).size(), 5u);
+  expectParts<3>(in_space, {"main", 4});
 }
 
 // A mesh that is not partitioned is not split in its file either.

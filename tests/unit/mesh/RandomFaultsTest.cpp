@@ -22,6 +22,7 @@ int numSplit(GlobalMesh<Dim> const& mesh, int num_trials)
     }
     SCOPED_TRACE(trial);
     expectGoodSplit(faulted, result);
+    expectSidesOfFacets(result);
     ++num_split;
   }
   return num_split;

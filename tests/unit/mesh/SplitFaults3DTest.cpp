@@ -118,10 +118,12 @@ TEST(SplitFaults3D, GivesAShortBranchTips)
   EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 0.0}).size(), 1u);
 }
 
-TEST(SplitFaults3D, RefusesFaultsThatCross)
+TEST(SplitFaults3D, RefusesThreeFaultsThatCross)
 {
-  expectRefused(faultedBox({{"dyke", [](auto& p) { return p[0] == 2.0; }}, {"main", isFlat}}),
-                {"Here: faults 'dyke' and 'main' cross at (2, 0, 0)"});
+  expectRefused(faultedBox({{"dyke", [](auto& p) { return p[0] == 2.0; }},
+                            {"level", [](auto& p) { return p[2] == 2.0; }},
+                            {"main", isFlat}}),
+                {"Here: faults 'dyke', 'level' and 'main' cross at (2, 0, 2)", "8 parts"});
   expectRefused(faultedBox({{"star", [](auto& p) { return isFlat(p) || isUpward(p); }}}),
                 {"3 facets of fault 'star' meet at (2, 0, "});
 }

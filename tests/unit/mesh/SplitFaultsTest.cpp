@@ -50,7 +50,7 @@ GlobalMesh<Dim> renumbered(GlobalMesh<Dim> mesh)
 template <int Dim>
 std::set<std::size_t> cellsOnPlusSides(GlobalMesh<Dim> const& mesh)
 {
-  const FaultSides<Dim> sides(mesh.splits);
+  const FaultSides<Dim> sides(mesh);
   std::set<std::size_t> cells;
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     for (int vertex : mesh.cells[c]) {

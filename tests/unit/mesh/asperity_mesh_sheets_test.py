@@ -107,16 +107,18 @@ Physical Curve("fault") += {31};
         self.assert_faults({"fault.1": 12, "fault.2": 5}, branch)
 
     def test_crossings(self):
-        """Two faults of the plane may cross."""
+        """Two faults may cross."""
         cross = (-6, 0), (6, 0), (0, 5), (0, -5)
         self.assert_faults({"fault.1": 12, "fault.2": 10}, arms(*cross))
         self.assert_faults({"a": 12, "b": 10}, arms(*cross, names="aabb"))
+        self.assert_faults({"fault.1": 12, "fault.2": 6},
+                           BOX.replace("FROM", "3").replace("ANGLE", "Pi/3"))
+        self.assertRegex(mesh_tool.run("info", "case.h5").stdout,
+                         r"crossing         fault.1 and fault.2 at .*\(0, ")
 
     def test_crossings_that_are_refused(self):
         """The message says which faults, where, and what to do."""
         advice = "Let one fault, with a name of its own, end at the other"
-        self.assert_not_converted(BOX.replace("FROM", "3").replace("ANGLE", "Pi/3"),
-                                  "faults 'fault.1' and 'fault.2' cross at (0, ", advice)
         star = (-6, 0), (6, 0), (0, 5), (0, -5), (4, 4), (-4, -4)
         self.assert_not_converted(arms(*star, names="aabbcc"),
                                   "faults 'a', 'b' and 'c' cross at (0, 0)", advice)

@@ -1,10 +1,14 @@
 #include "fem/constraints/detail/SplitDirections.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/Crossings.hpp"
 #include "mesh/PointText.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <set>
 
 namespace asperity::fem::detail
 {
@@ -39,103 +43,205 @@ std::vector<bool> areOnFaults(std::vector<VelocityCondition<Dim>> const& conditi
   return result;
 }
 
-template <class Predicate>
-Directions those(Directions const& all, Predicate const& are_wanted)
-{
-  Directions result;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(result),
-               [&](Direction const& one) { return are_wanted(one.condition); });
-  return result;
-}
-
 bool areParallel(Direction const& a, Direction const& b)
 {
   return 1 - std::abs(dot(a.vector, b.vector)) < parallel;
 }
 
-class Pair
+// The directions of conditions on other boundaries at N vertices of one place.
+template <std::size_t N>
+class Copies
 {
 public:
-  Pair(Directions plus, Directions minus) : plus_(std::move(plus)), minus_(std::move(minus)) {}
+  explicit Copies(std::array<Directions, N> of_vertices) : of_vertices_(std::move(of_vertices))
+  {
+    match();
+  }
 
-  // Pairs each direction of the plus side with a parallel one of the minus side, if possible of the
+  // For each direction that all vertices have: sum_k factors[k] v_k along it.
+  Directions combined(std::array<double, N> const& factors) const
+  {
+    Directions result;
+    for (auto const& of_vertices : matched_) {
+      auto direction = of_vertices[0];
+      direction.terms.clear();
+      for (std::size_t k = 0; k < N; ++k) {
+        const double sign = dot(direction.vector, of_vertices[k].vector) < 0 ? -1 : 1;
+        direction.terms =
+          sum(std::move(direction.terms), scaled(of_vertices[k].terms, sign * factors[k]));
+      }
+      result.push_back(std::move(direction));
+    }
+    return result;
+  }
+
+  Directions const& alone() const { return alone_; } // that some vertices do not have
+
+private:
+  // Finds for each direction of the first vertex a parallel one of the others, if possible of the
   // same condition.
   void match()
   {
-    for (auto const& one : plus_) {
-      const auto partner = partnerOf(one);
-      if (partner == minus_.end()) {
-        alone_.push_back(one);
-        continue;
+    for (auto const& one : of_vertices_[0]) {
+      std::array<Direction, N> found;
+      found[0] = one;
+      bool is_everywhere = true;
+      for (std::size_t k = 1; k < N && is_everywhere; ++k) {
+        const auto partner = partnerOf(one, of_vertices_[k]);
+        is_everywhere = partner != of_vertices_[k].end();
+        if (is_everywhere) {
+          found[k] = *partner;
+          of_vertices_[k].erase(partner);
+        }
       }
-      const double sign = dot(one.vector, partner->vector) < 0 ? -1 : 1;
-      mean_.push_back({one.vector, one.condition,
-                       sum(scaled(one.terms, 0.5), scaled(partner->terms, 0.5 * sign))});
-      jump_.push_back({one.vector, one.condition, sum(one.terms, scaled(partner->terms, -sign))});
-      minus_.erase(partner);
+      if (is_everywhere) {
+        matched_.push_back(found);
+      } else {
+        alone_.push_back(one);
+      }
     }
-    alone_.insert(alone_.end(), minus_.begin(), minus_.end());
+    for (std::size_t k = 1; k < N; ++k) {
+      alone_.insert(alone_.end(), of_vertices_[k].begin(), of_vertices_[k].end());
+    }
   }
 
-  Directions const& mean() const { return mean_; }
-  Directions const& jump() const { return jump_; }
-  Directions const& alone() const { return alone_; } // on one side only
-
-private:
-  Directions::iterator partnerOf(Direction const& one)
+  static Directions::iterator partnerOf(Direction const& one, Directions& others)
   {
-    const auto same = std::find_if(minus_.begin(), minus_.end(), [&](Direction const& other) {
+    const auto same = std::find_if(others.begin(), others.end(), [&](Direction const& other) {
       return other.condition == one.condition && areParallel(one, other);
     });
-    return same != minus_.end()
+    return same != others.end()
              ? same
-             : std::find_if(minus_.begin(), minus_.end(),
+             : std::find_if(others.begin(), others.end(),
                             [&](Direction const& other) { return areParallel(one, other); });
   }
 
-  Directions plus_, minus_, mean_, jump_, alone_;
+  std::array<Directions, N> of_vertices_;
+  std::vector<std::array<Direction, N>> matched_;
+  Directions alone_;
+};
+
+template <int Dim>
+class MeansAndJumps
+{
+public:
+  MeansAndJumps(NodalDirections const& at_vertices, Mesh<Dim> const& mesh,
+                std::vector<VelocityCondition<Dim>> const& conditions)
+      : mesh_(mesh)
+      , conditions_(conditions)
+      , on_fault_(areOnFaults(conditions, mesh))
+      , at_vertices_(at_vertices)
+      , result_(at_vertices)
+  {
+  }
+
+  NodalDirections run()
+  {
+    std::set<int> at_crossings; // means
+    for (auto const& crossing : mesh::crossingsOf(mesh_.splits)) {
+      at_crossings.insert(crossing.mean);
+      if (crossing.mean < mesh_.num_owned) {
+        addCrossing(crossing);
+      }
+    }
+    for (auto const& split : mesh_.splits) {
+      if (split.plus >= mesh_.num_owned) {
+        continue;
+      }
+      if (split.is_tip) {
+        result_[split.plus] = those(split.plus, [&](int condition) {
+          return on_fault_[condition] && conditions_[condition].holdsAcross();
+        });
+      } else if (at_crossings.count(split.minus) == 0) {
+        addPair(split);
+      }
+    }
+    return std::move(result_);
+  }
+
+private:
+  void addPair(SplitVertex const& split)
+  {
+    const auto [plus, minus] = std::make_pair(split.plus, split.minus);
+    const Copies<2> copies({ofBody(plus), ofBody(minus)});
+    requireBothSides(copies.alone(), plus);
+    result_[plus] = withFault(plus, copies.combined({1., -1.}));
+    result_[minus] = copies.combined({0.5, 0.5});
+  }
+
+  void addCrossing(mesh::Crossing const& crossing)
+  {
+    auto const& [mean, plus, both] = crossing;
+    const Copies<4> copies({ofBody(mean), ofBody(plus[0]), ofBody(plus[1]), ofBody(both)});
+    requireBothSides(copies.alone(), mean);
+    result_[mean] = copies.combined({0.25, 0.25, 0.25, 0.25});
+    result_[plus[0]] = withFault(plus[0], copies.combined({-0.5, 0.5, -0.5, 0.5}));
+    result_[plus[1]] = withFault(plus[1], copies.combined({-0.5, -0.5, 0.5, 0.5}));
+    // What is held there has to be zero by the conditions, too.
+    auto& held = result_[both] = {};
+    for (auto const& direction : copies.combined({1., -1., -1., 1.})) {
+      if (conditions_[direction.condition].prescribes()) {
+        held.push_back({direction.vector, direction.condition, {}});
+        held.push_back(direction);
+      }
+    }
+  }
+
+  template <class Predicate>
+  Directions those(int vertex, Predicate const& are_wanted) const
+  {
+    Directions result;
+    const auto found = at_vertices_.find(vertex);
+    if (found != at_vertices_.end()) {
+      std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(result),
+                   [&](Direction const& one) { return are_wanted(one.condition); });
+    }
+    return result;
+  }
+
+  Directions ofBody(int vertex) const
+  {
+    return those(vertex, [this](int condition) { return !on_fault_[condition]; });
+  }
+
+  // The conditions on the fault at this plus vertex, then those on its jump.
+  Directions withFault(int plus, Directions const& jump) const
+  {
+    auto all = those(plus, [this](int condition) { return on_fault_[condition]; });
+    all.insert(all.end(), jump.begin(), jump.end());
+    return all;
+  }
+
+  void requireBothSides(Directions const& alone, int vertex) const
+  {
+    if (!alone.empty()) {
+      auto const& condition = conditions_[alone.front().condition];
+      ASPERITY_REQUIRE(false, condition.name
+                                << " (boundary '" << condition.boundary
+                                << "') holds for one side of a fault alone at x = "
+                                << mesh::text(mesh_.vertices[vertex])
+                                << ", where the fault ends at the boundary. Give a condition in "
+                                   "the same direction on the other side of the fault, too.");
+    }
+  }
+
+  Mesh<Dim> const& mesh_;
+  std::vector<VelocityCondition<Dim>> const& conditions_;
+  std::vector<bool> on_fault_;
+  NodalDirections const& at_vertices_;
+  NodalDirections result_;
 };
 } // namespace
 
 template <int Dim>
-NodalDirections meansAndJumps(NodalDirections directions, Mesh<Dim> const& mesh,
+NodalDirections meansAndJumps(NodalDirections const& directions, Mesh<Dim> const& mesh,
                               std::vector<VelocityCondition<Dim>> const& conditions)
 {
-  const auto at = [&](int vertex) {
-    const auto found = directions.find(vertex);
-    return found == directions.end() ? Directions() : found->second;
-  };
-  auto const on_fault = areOnFaults(conditions, mesh);
-  const auto is_of_body = [&](int condition) { return !on_fault[condition]; };
-  for (auto const& split : mesh.splits) {
-    if (split.plus >= mesh.num_owned) {
-      continue;
-    }
-    auto jump = those(at(split.plus), [&](int condition) {
-      return on_fault[condition] && (!split.is_tip || conditions[condition].holdsAcross());
-    });
-    if (!split.is_tip) {
-      Pair pair(those(at(split.plus), is_of_body), those(at(split.minus), is_of_body));
-      pair.match();
-      if (!pair.alone().empty()) {
-        auto const& condition = conditions[pair.alone().front().condition];
-        ASPERITY_REQUIRE(false, condition.name
-                                  << " (boundary '" << condition.boundary
-                                  << "') holds for one side of a fault alone at x = "
-                                  << mesh::text(mesh.vertices[split.plus])
-                                  << ", where the fault ends at the boundary. Give a condition in "
-                                     "the same direction on the other side of the fault, too.");
-      }
-      jump.insert(jump.end(), pair.jump().begin(), pair.jump().end());
-      directions[split.minus] = pair.mean();
-    }
-    directions[split.plus] = jump;
-  }
-  return directions;
+  return MeansAndJumps<Dim>(directions, mesh, conditions).run();
 }
 
-template NodalDirections meansAndJumps(NodalDirections, Mesh<2> const&,
+template NodalDirections meansAndJumps(NodalDirections const&, Mesh<2> const&,
                                        std::vector<VelocityCondition<2>> const&);
-template NodalDirections meansAndJumps(NodalDirections, Mesh<3> const&,
+template NodalDirections meansAndJumps(NodalDirections const&, Mesh<3> const&,
                                        std::vector<VelocityCondition<3>> const&);
 } // namespace asperity::fem::detail

@@ -9,10 +9,13 @@ namespace asperity::fem::detail
 //
 //   v+ . e = f+ and v- . e = f-   become   m . e = (f+ + f-)/2 and d . e = f+ - f-
 //
+// and likewise at the four vertices of a crossing. There the combination that is held has to be
+// zero: the node of `both` gets the conditions on it and, before each, an empty velocity along e.
+//
 // Conditions on the fault itself hold for d without change. At a tip, where d = 0, only the
 // condition across the fault remains, because it determines the frame. InputError where only one
 // side has a condition along e.
 template <int Dim>
-NodalDirections meansAndJumps(NodalDirections directions, Mesh<Dim> const& mesh,
+NodalDirections meansAndJumps(NodalDirections const& directions, Mesh<Dim> const& mesh,
                               std::vector<VelocityCondition<Dim>> const& conditions);
 } // namespace asperity::fem::detail

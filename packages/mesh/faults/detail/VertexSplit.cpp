@@ -74,7 +74,8 @@ public:
     if (going_on.size() == 1) {
       return splitAlong({going_on[0]}, cutAlong(going_on[0]));
     }
-    if (going_on.size() == 2 && sets.count == 4 && Dim == 2 && !vertex_.is_on_surface) {
+    // In the plane faults that meet on the surface of the body end there.
+    if (going_on.size() == 2 && sets.count == 4 && (Dim == 3 || !vertex_.is_on_surface)) {
       return splitAtCrossing({going_on[0], going_on[1]});
     }
     if (going_on.empty() && sets.count == 3 && faults_.size() == 3) {
@@ -131,9 +132,8 @@ private:
                                : " crosses itself") +
       " at " + text(vertex_.place) + ": the cells there are in " + std::to_string(num_sets) +
       " parts, and more than two copies of a node are supported only where faults end inside the "
-      "body at another one" +
-      (Dim == 2 ? ", or two faults cross inside the body and no other one ends there" : "") +
-      ". Let one fault, with a name of its own, end at the other or before it.");
+      "body at another one, or two faults cross inside the body and no other one is there. Let one "
+      "fault, with a name of its own, end at the other or before it.");
   }
 
   // Each of three faults ends here, and any two of them could be the one that goes on.
@@ -173,21 +173,17 @@ private:
     return splitAlong(main, sets);
   }
 
-  // Four sets in the plane: each of two faults that go on divides all cells in two.
-  VertexSplit splitAtCrossing(std::array<int, 2> faults) const
+  // Four sets: each of two faults that go on divides all cells in two.
+  VertexSplit splitAtCrossing(std::array<int, 2> const& faults) const
   {
     VertexSplit::Crossing crossing;
-    const auto cells_left_of = [&](int fault) {
+    crossing.facets = {facetsOf(faults[0]), facetsOf(faults[1])};
+    const auto plusCellsOf = [&](int fault) {
       const auto sets = cutAlong(fault);
       return cellsIn(sets, plusSet({fault}, sets));
     };
-    auto plus_of_first = cells_left_of(faults[0]);
-    auto plus_of_second = cells_left_of(faults[1]);
-    if (!runsInto(faults[1], plus_of_first)) {
-      std::swap(faults[0], faults[1]);
-      std::swap(plus_of_first, plus_of_second);
-    }
-    crossing.facets = {facetsOf(faults[0]), facetsOf(faults[1])};
+    const auto plus_of_first = plusCellsOf(faults[0]);
+    const auto plus_of_second = plusCellsOf(faults[1]);
     const auto has = [](std::vector<int> const& cells, int cell) {
       return std::find(cells.begin(), cells.end(), cell) != cells.end();
     };
@@ -209,16 +205,6 @@ private:
     split.is_cut = true;
     split.crossing = std::move(crossing);
     return split;
-  }
-
-  // Whether the facet of the fault that begins at the vertex lies among these cells.
-  bool runsInto(int fault, std::vector<int> const& cells) const
-  {
-    return std::any_of(vertex_.facets.begin(), vertex_.facets.end(), [&](int number) {
-      auto const& facet = facets_[static_cast<std::size_t>(number)];
-      return faultOf(number) == fault && facet.outward[0] == vertex_.number &&
-             std::find(cells.begin(), cells.end(), facet.cells[0]) != cells.end();
-    });
   }
 
   [[noreturn]] void refuseTouching() const
@@ -252,7 +238,7 @@ private:
     split.plus_cells = cellsIn(sets, plus);
     for (int fault : faults_) {
       if (main.count(fault) == 0) {
-        split.branches.push_back({facetsOf(fault), setOfBranch(fault, sets) == plus});
+        addBranches(fault, sets, plus, split);
       }
     }
     return split;
@@ -278,17 +264,23 @@ private:
     return plus;
   }
 
-  int setOfBranch(int fault, Sets const& sets) const
+  // A branch on each side that has facets: both in space, where the line ends along which faults
+  // cross.
+  void addBranches(int fault, Sets const& sets, int plus, VertexSplit& split) const
   {
-    int there = -1;
+    VertexSplit::Branch below{{}, false}, above{{}, true};
     for (int facet : facetsOf(fault)) {
-      const int set = setOf(sets, facets_[static_cast<std::size_t>(facet)].cells[0]);
-      if (separates(sets, facet) || (there >= 0 && there != set)) {
+      if (separates(sets, facet)) {
         refuseCrossing(sets.count);
       }
-      there = set;
+      const int there = setOf(sets, facets_[static_cast<std::size_t>(facet)].cells[0]);
+      (there == plus ? above : below).facets.push_back(facet);
     }
-    return there;
+    for (auto const& branch : {below, above}) {
+      if (!branch.facets.empty()) {
+        split.branches.push_back(branch);
+      }
+    }
   }
 
   Star<Dim> const& star_;

@@ -17,7 +17,7 @@ struct VertexSplit
     std::vector<int> facets;
     bool is_on_plus_side; // of the cut
   };
-  std::vector<Branch> branches; // faults with a tip at the cut
+  std::vector<Branch> branches; // faults with a tip at the cut, perhaps on each side of it
   struct Crossing               // of two faults, with the first and second one of mesh::Crossing
   {
     std::array<std::vector<int>, 2> facets;

@@ -99,11 +99,11 @@ void checkPairs(Mesh<Dim> const& part, std::string const& where)
 template <int Dim>
 void checkFaults(Mesh<Dim> const& part, std::string const& where)
 {
-  const FaultSides<Dim> sides(part.splits);
+  const FaultPairs pairs(part.splits);
   for (auto const& fault : part.faults) {
     for (auto const& facet : part.boundaries.at(fault)) {
       for (int vertex : facet) {
-        ASPERITY_REQUIRE(sides.find(vertex), where << ": a facet of fault '" << fault
+        ASPERITY_REQUIRE(pairs.find(vertex), where << ": a facet of fault '" << fault
                                                    << "' has vertex " << part.global_ids[vertex]
                                                    << ", which is the plus of no pair.");
       }
