@@ -16,7 +16,7 @@ using Point = std::array<double, Dim>;
 // cut: no cell refers to `plus`, only facets of the fault do, and `minus` is the vertex of the
 // cells around it. Where a fault branches off another one, the `minus` of its tip is the vertex on
 // the side of the other fault on which the branch lies, and may itself be the plus of a pair. Where
-// two faults cross in the plane, three pairs have one minus (Crossings.hpp).
+// two faults cross, three pairs have one minus (Crossings.hpp).
 struct SplitVertex
 {
   int plus = 0;
