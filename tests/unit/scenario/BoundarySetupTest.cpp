@@ -172,6 +172,32 @@ TEST(BoundarySetup, LetsTheFaultGoOnAtAPrescribedSlipRate)
   }
 }
 
+// Of two faults: one under plates, and one that slips at a known rate, with or without plates.
+TEST(BoundarySetup, TakesTheOwnPlatesOfAFaultWhoseSlipIsKnown)
+{
+  const auto knownSlip = [](char const* of_known) {
+    const auto list = completeDeck([of_known](ParameterList& deck) {
+                        auto& given = deck.sublist("Boundary Conditions");
+                        auto& plates = given.sublist("Fault");
+                        plates.set("Type", "Two-Sided Fault").set("Plate Rate", "2");
+                        auto& known = given.sublist("Known");
+                        known.set("Boundary", "known").set("Type", "Two-Sided Fault");
+                        known.set("Slip Rate", "5");
+                        if (of_known != nullptr) {
+                          known.set("Plate Rate", of_known);
+                        }
+                      }).sublist("Boundary Conditions");
+    for (auto const& condition : make<2>(list, 2).velocities) {
+      if (condition.boundary == "known" && is<fem::SlipAlongTangent<2>>(condition)) {
+        return condition.velocity({0, 0}, 0);
+      }
+    }
+    return -1.;
+  };
+  EXPECT_EQ(knownSlip(nullptr), 5);
+  EXPECT_EQ(knownSlip("3"), 5 - 3);
+}
+
 TEST(BoundarySetup, SlipsInSpaceTowardsItsDirectionAndNotSideways)
 {
   const auto list = driven([](ParameterList& condition) {

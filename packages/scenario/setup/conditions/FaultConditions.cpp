@@ -7,6 +7,7 @@
 #include "scenario/setup/conditions/ConditionEntries.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -14,14 +15,28 @@ namespace asperity::scenario
 {
 namespace
 {
+// The plate rate under which a boundary slips, or nullptr: a fault has its own; the continuation of
+// faults has that of the first one with a plate rate.
+template <int Dim>
+PlateRate const* platesAt(BoundaryCondition const& condition,
+                          BoundaryConditions<Dim> const& conditions)
+{
+  auto const& all = conditions.plate_rates;
+  const auto found =
+    condition.type->isFault()
+      ? std::find_if(all.begin(), all.end(),
+                     [&](PlateRate const& one) { return one.boundary == condition.boundary; })
+      : all.begin();
+  return found == all.end() ? nullptr : &*found;
+}
+
 // The velocity v_t of the bodies at a given slip rate. Under back slip it is without the plates:
-// slip rate = slip factor v_t + Vp, where Vp is the plate rate of the first fault that has one.
+// slip rate = slip factor v_t + Vp.
 template <int Dim>
 fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rate,
-                                         BoundaryConditions<Dim> const& conditions)
+                                         PlateRate const* plates, double factor)
 {
-  auto const plate = conditions.plate_rates.empty() ? nullptr : conditions.plate_rates.front().rate;
-  const double factor = conditions.other_side.slip_factor;
+  auto const plate = plates == nullptr ? nullptr : plates->rate;
   auto const of_bodies = [rate, plate, factor](Point<Dim> const& x, double t) {
     return ((*rate)(inSpace<Dim>(x), t, 0) - (plate ? (*plate)(inSpace<Dim>(x), 0, 0) : 0)) /
            factor;
@@ -29,16 +44,10 @@ fem::VelocityFunction<Dim> withoutPlates(std::shared_ptr<const Field> const& rat
   return {of_bodies, rate->dependsOnTime()};
 }
 
-// In three dimensions the continuation of a fault slips in the direction of the plates.
-template <int Dim>
+// In three dimensions a boundary slips in the direction of its plates.
 void requireDirectionOfPlates(BoundaryCondition const& condition,
-                              std::vector<double> const& direction,
-                              BoundaryConditions<Dim> const& conditions)
+                              std::vector<double> const& direction, PlateRate const& plate)
 {
-  if (conditions.plate_rates.empty()) {
-    return;
-  }
-  auto const& plate = conditions.plate_rates.front();
   auto const& of_plates = plate.direction;
   double product = 0;
   double squares = 1;
@@ -86,7 +95,8 @@ void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext cons
                    joinPath(condition.name, "Slip Rate")
                      << " is missing: the rate at which the boundary slips, 0 if it is locked.");
   auto const rate = fieldIfGiven(condition, "Slip Rate");
-  auto const velocity = withoutPlates(rate, result);
+  auto const* plates = platesAt(condition, result);
+  auto const velocity = withoutPlates<Dim>(rate, plates, result.other_side.slip_factor);
   if (context.components < 3) {
     refuseDirection(condition, "in two dimensions a fault slips along its tangent");
   }
@@ -99,7 +109,9 @@ void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext cons
     add(fem::SlipAlongTangent<Dim>{velocity, context.along_fault});
   } else {
     auto const direction = directionOf(condition, context.components);
-    requireDirectionOfPlates(condition, direction, result);
+    if (plates != nullptr) {
+      requireDirectionOfPlates(condition, direction, *plates);
+    }
     add(fem::SlipTowards<Dim>{direction, velocity, context.along_fault});
     add(fem::NoSlipSideways{direction, context.along_fault});
   }
