@@ -45,6 +45,7 @@ Simulation<Dim>::Simulation(PreparedRun<Dim>& prepared, CommandLine const& comma
     , meeting_point_(*prepared.communicator)
     , restart_(command_line.restart)
     , restart_from_(command_line.restart_from)
+    , of_start_(prepared.description())
     , lock_(takeDirectory(prepared, command_line))
     , record_(prepared.directory, !restart_.empty(), *prepared.communicator)
 {
@@ -79,11 +80,10 @@ int Simulation<Dim>::run()
 template <int Dim>
 void Simulation<Dim>::describeStart()
 {
-  auto const of_start = prepared_.description();
-  for (auto const& line : of_start.lines) {
+  for (auto const& line : of_start_.lines) {
     record_.message(line);
   }
-  for (auto const& warning : of_start.warnings) {
+  for (auto const& warning : of_start_.warnings) {
     record_.warn(warning);
   }
   recordFault();

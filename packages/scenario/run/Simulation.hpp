@@ -45,6 +45,7 @@ private:
   io::OutputSet& outputs_;    // of prepared_
   MeetingPoint meeting_point_;
   std::string restart_, restart_from_;
+  Description of_start_;   // before the directory is taken, since it may refuse the run
   io::DirectoryLock lock_; // on rank 0
   io::RunRecord record_;
   bool step_is_complete_ = false; // counted in the energy balance and written to the outputs
