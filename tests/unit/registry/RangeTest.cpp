@@ -21,6 +21,16 @@ TEST(Range, HasFiniteNumbersAlone)
   }
 }
 
+TEST(Range, KeepsItsEnds)
+{
+  EXPECT_TRUE(Range::closed(0, 1).contains(0) && Range::closed(0, 1).contains(1));
+  EXPECT_FALSE(Range::open(0, 1).contains(0) || Range::open(0, 1).contains(1));
+  EXPECT_TRUE(Range::closedOpen(0, 1).contains(0) && !Range::closedOpen(0, 1).contains(1));
+  EXPECT_TRUE(!Range::openClosed(0, 1).contains(0) && Range::openClosed(0, 1).contains(1));
+  EXPECT_TRUE(Range::closed(1, 2).contains(2) && !Range::below(2).contains(2));
+  EXPECT_TRUE(Range::positive().contains(1e-300) && !Range::positive().contains(0));
+}
+
 TEST(Range, IntersectionHasTheStricterBounds)
 {
   const auto both = Range::closed(0, 2).intersection(Range::openClosed(0, 3));
