@@ -385,7 +385,7 @@ CELL_TYPES 2
                                 (b"\n12 12", b"\n42 12", "VTK's type 42")):
             self.assertIn(old, good)
             self.refuse("a.vtk", good.replace(old, new, 1), piece, options=("--simplices",))
-        self.refuse("a.vtk", good, "'CellEntityIds'", "no such cell data",
+        self.refuse("a.vtk", good, "'CellEntityIds'", "no such array of cell data",
                     options=("--simplices", "--array", "CellEntityId"))
         good = other_formats.vtu(brick(), "binary", compressed=True)
         self.refuse("a.vtu", good[:len(good) // 2])
