@@ -173,6 +173,6 @@ TEST_F(GridFiles, ThatAreDamagedAreRefused)
                 {"no line 'xllcorner'"});
   expectRefused("a.xyz", "", {"has no point"});
   expectRefused("b.xyz", "1 2\n", {"line 1", "'x y z'"});
-  expectRefused("a.tif", "", {"'.tif'", "'.nc', '.grd'"});
+  expectRefused("a.tif", "", {"'.tif'", "'.hgt', '.nc'"});
   test::expectRefusal([&] { readGrid(file("a.asc"), "z"); }, {"no variables", "'z'"});
 }
