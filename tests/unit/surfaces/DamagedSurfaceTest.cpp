@@ -32,7 +32,8 @@ TEST_F(DamagedSurface, Gocad)
   expectRefused("b.ts", gocad_begin + "TRGL 1 2 3\n", {"without END", "cut"});
   expectRefused("c.ts", gocad_begin + "VRTX 4 0 nan 0\nEND\n", {"line 6", "finite", "'nan'"});
   expectRefused("d.ts", gocad_begin + "VRTX 4 0 0\nEND\n", {"line 6", "4 words", "VRTX number x"});
-  expectRefused("e.ts", gocad_begin + "VRTX 1 0 0 0\nEND\n", {"line 6", "vertex 1", "defined twice"});
+  expectRefused("e.ts", gocad_begin + "VRTX 1 0 0 0\nEND\n",
+                {"line 6", "vertex 1", "defined twice"});
   expectRefused("f.ts", gocad_begin + "ATOM 5 9\nEND\n", {"line 6", "ATOM names vertex 9"});
   expectRefused("g.ts", gocad_begin + "ZPOSITIVE Down\nEND\n", {"line 6", "'Down'", "Elevation"});
   expectRefused("h.ts", "TFACE\n", {"line 1", "GOCAD TSurf"});
