@@ -6,7 +6,7 @@
 #include "base/Views.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/RateUpdate.hpp"
-#include "dynamics/coupling/SharedMultigrid.hpp"
+#include "dynamics/rate/SharedMultigrid.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "multigrid/Cycle.hpp"
 #include "multigrid/NodeKernels.hpp"

@@ -5,9 +5,9 @@
 #include "dynamics/coupling/CouplingSettings.hpp"
 #include "dynamics/coupling/SolveCount.hpp"
 #include "dynamics/coupling/StepEquations.hpp"
-#include "dynamics/coupling/StepSolvers.hpp"
 #include "dynamics/coupling/StepUnknowns.hpp"
 #include "dynamics/fault/Fault.hpp"
+#include "dynamics/rate/StepSolvers.hpp"
 
 #include <optional>
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "dynamics/State.hpp"
-#include "dynamics/coupling/FrictionProblem.hpp"
-#include "dynamics/coupling/RateSolver.hpp"
 #include "dynamics/fault/Norm.hpp"
 #include "dynamics/fault/NormalReaction.hpp"
+#include "dynamics/rate/FrictionProblem.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 
 #include <functional>
 #include <memory>

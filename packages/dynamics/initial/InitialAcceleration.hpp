@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/coupling/RateSolver.hpp"
 #include "dynamics/fault/Fault.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 
 namespace asperity::dynamics
 {

@@ -1,7 +1,7 @@
 #include "dynamics/initial/StaticSolver.hpp"
 
 #include "base/Errors.hpp"
-#include "dynamics/coupling/SharedMultigrid.hpp"
+#include "dynamics/rate/SharedMultigrid.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>

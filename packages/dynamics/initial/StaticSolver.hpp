@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/Warning.hpp"
-#include "dynamics/coupling/RateSolver.hpp"
 #include "dynamics/initial/Model.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 #include "fem/bulk/Material.hpp"
 #include "parameters/Parameters.hpp"
 #include "scenario/problem/DeckSettings.hpp"

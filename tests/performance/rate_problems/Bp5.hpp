@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/coupling/FrictionProblem.hpp"
+#include "dynamics/rate/FrictionProblem.hpp"
 #include "scenario/problem/Problem.hpp"
 
 #include <string>

@@ -1,5 +1,5 @@
 #include "base/parallel/Reductions.hpp"
-#include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "performance/rate_problems/Bp5.hpp"
 #include "scenario/setup/TimeSchemes.hpp"

@@ -43,8 +43,8 @@ HOST = {
     "packages/dynamics/processes/DiffusionStep.cpp": "Eigen's factor, of the nodes of the fault",
     "packages/dynamics/processes/Permeability.cpp": "the nodes of the fault, for its stiffness",
     "packages/dynamics/processes/PorePressure.cpp": "the nodes of the fault, for outputs",
-    "packages/dynamics/coupling/CondensedFunctionals.cpp": "the direct solver, on Eigen's factors",
-    "packages/dynamics/coupling/CondensedRateSolver.cpp": "the direct solver, on Eigen's factors",
+    "packages/dynamics/rate/CondensedFunctionals.cpp": "the direct solver, on Eigen's factors",
+    "packages/dynamics/rate/CondensedRateSolver.cpp": "the direct solver, on Eigen's factors",
 }
 _TO_HOST = re.compile(r"\b(?:getLocalViewHost|getLocalMatrixHost|create_mirror_view\w*|toHost)\b"
                       r"|(?<!\.)\btoVector\b")

@@ -1,4 +1,4 @@
-#include "dynamics/coupling/FrictionProblem.hpp"
+#include "dynamics/rate/FrictionProblem.hpp"
 
 #include "base/Views.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"

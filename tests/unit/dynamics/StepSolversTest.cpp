@@ -1,4 +1,4 @@
-#include "dynamics/coupling/StepSolvers.hpp"
+#include "dynamics/rate/StepSolvers.hpp"
 
 #include "unit/dynamics/SlidingBlock.hpp"
 

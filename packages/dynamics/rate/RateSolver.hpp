@@ -1,7 +1,7 @@
 #pragma once
 
 #include "dynamics/Body.hpp"
-#include "dynamics/coupling/FrictionProblem.hpp"
+#include "dynamics/rate/FrictionProblem.hpp"
 #include "fem/FaultSurface.hpp"
 #include "tnnmg/Tnnmg.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"

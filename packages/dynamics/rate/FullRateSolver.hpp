@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 
 #include <memory>
 

@@ -1,4 +1,4 @@
-#include "dynamics/coupling/SharedMultigrid.hpp"
+#include "dynamics/rate/SharedMultigrid.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 

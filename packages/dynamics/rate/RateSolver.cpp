@@ -1,8 +1,8 @@
-#include "dynamics/coupling/RateSolver.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 
-#include "dynamics/coupling/CondensedRateSolver.hpp"
-#include "dynamics/coupling/FullRateSolver.hpp"
-#include "dynamics/coupling/SharedMultigrid.hpp"
+#include "dynamics/rate/CondensedRateSolver.hpp"
+#include "dynamics/rate/FullRateSolver.hpp"
+#include "dynamics/rate/SharedMultigrid.hpp"
 
 namespace asperity::dynamics
 {

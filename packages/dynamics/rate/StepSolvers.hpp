@@ -2,9 +2,9 @@
 
 #include "dynamics/DyadicTime.hpp"
 #include "dynamics/RateUpdate.hpp"
-#include "dynamics/coupling/RateSolver.hpp"
-#include "dynamics/coupling/SharedMultigrid.hpp"
 #include "dynamics/fault/NormalReaction.hpp"
+#include "dynamics/rate/RateSolver.hpp"
+#include "dynamics/rate/SharedMultigrid.hpp"
 
 #include <list>
 #include <map>

@@ -1,4 +1,4 @@
-#include "dynamics/coupling/CondensedFunctionals.hpp"
+#include "dynamics/rate/CondensedFunctionals.hpp"
 
 #include "portability/Renamed.hpp"
 

@@ -1,7 +1,7 @@
-#include "dynamics/coupling/FullRateSolver.hpp"
+#include "dynamics/rate/FullRateSolver.hpp"
 
 #include "base/Errors.hpp"
-#include "dynamics/coupling/TnnmgRateSolver.hpp"
+#include "dynamics/rate/TnnmgRateSolver.hpp"
 #include "portability/Renamed.hpp"
 #include "tnnmg/SparseRateMatrix.hpp"
 

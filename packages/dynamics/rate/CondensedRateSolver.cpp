@@ -1,9 +1,9 @@
-#include "dynamics/coupling/CondensedRateSolver.hpp"
+#include "dynamics/rate/CondensedRateSolver.hpp"
 
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
-#include "dynamics/coupling/CondensedFunctionals.hpp"
-#include "dynamics/coupling/TnnmgRateSolver.hpp"
+#include "dynamics/rate/CondensedFunctionals.hpp"
+#include "dynamics/rate/TnnmgRateSolver.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
 #include "tnnmg/direct/DenseCorrection.hpp"
 #include "tnnmg/direct/SchurComplement.hpp"
