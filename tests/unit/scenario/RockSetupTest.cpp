@@ -5,6 +5,8 @@
 #include "scenario/setup/rock/BulkSetup.hpp"
 #include "unit/base/TemporaryDirectory.hpp"
 
+#include <cmath>
+
 namespace asperity::scenario
 {
 using namespace test;
@@ -94,6 +96,39 @@ TEST(RockSetup, NeedsTheShearModulusAloneInAntiplane)
       makeMaterials(bulkList({{"Bulk Modulus", bulk}}, beAntiplane), mesh);
     },
     {"Asperity / Bulk", "1 of", "or the shear modulus alone"});
+}
+
+TEST(RockSetup, FindsTheModuliFromWaveSpeeds)
+{
+  const auto mesh = twoRegions();
+  const double rho = 1000, cs = std::sqrt(shear / rho),
+               cp = std::sqrt((bulk + 4. / 3 * shear) / rho);
+  for (auto const& material :
+       makeMaterials(bulkList({{"P-Wave Speed", cp}, {"S-Wave Speed", cs}}), mesh)) {
+    EXPECT_NEAR(material.bulk_modulus, bulk, 1e-9 * bulk);
+    EXPECT_NEAR(material.shear_modulus, shear, 1e-9 * shear);
+    EXPECT_EQ(material.density, rho);
+  }
+  const auto antiplane = bulkList({{"S-Wave Speed", cs}}, beAntiplane);
+  EXPECT_NEAR(makeMaterials(antiplane, mesh).front().shear_modulus, shear, 1e-9 * shear);
+}
+
+TEST(RockSetup, RefusesWaveSpeedsThatGiveNoModuli)
+{
+  const auto mesh = twoRegions();
+  const auto message = [&mesh](auto const& constants) {
+    return refusal([&] { makeMaterials(bulkList(constants), mesh); });
+  };
+  using Constants = std::vector<std::pair<char const*, double>>;
+  expectParts(message(Constants{{"S-Wave Speed", 30}}),
+              {"Asperity / Bulk / P-Wave Speed is missing"});
+  expectParts(message(Constants{{"P-Wave Speed", 60}}),
+              {"Asperity / Bulk / S-Wave Speed is missing"});
+  expectParts(
+    message(Constants{{"P-Wave Speed", 60}, {"S-Wave Speed", 30}, {"Shear Modulus", 1e6}}),
+    {"Asperity / Bulk / P-Wave Speed is given beside a modulus", "not both"});
+  expectParts(message(Constants{{"P-Wave Speed", 34}, {"S-Wave Speed", 30}}),
+              {"P-Wave Speed is 34 m/s at (x, y, z) = (", "S-Wave Speed is 30 m/s", "1.155"});
 }
 
 // Means over the vertices of a field that is linear in place are its values at the centroids.

@@ -66,12 +66,19 @@ Entries<BulkSettings> bulkEntries()
     .field("Density", required, "kg/m^3", Range::positive(), "The material has this mass density.")
     .field(bulk_entries::bulk_modulus, optional, "Pa", Range::positive(),
            "The material has this bulk modulus. Plane strain and solids need exactly two of bulk "
-           "modulus, shear modulus and Poisson's ratio.")
-    .field(bulk_entries::shear_modulus, optional, "Pa", Range::positive(),
-           "The material has this shear modulus. Antiplane models need either this alone or two of "
-           "the three moduli.")
+           "modulus, shear modulus and Poisson's ratio, or both wave speeds instead.")
+    .field(
+      bulk_entries::shear_modulus, optional, "Pa", Range::positive(),
+      "The material has this shear modulus. Antiplane models need either this alone, or two of "
+      "the three moduli, or the speed of shear waves.")
     .field(bulk_entries::poissons_ratio, optional, "-", Range::open(-1, 0.5),
-           "The material has this Poisson's ratio.");
+           "The material has this Poisson's ratio.")
+    .field(bulk_entries::p_wave_speed, optional, "m/s", Range::positive(),
+           "Compressional waves travel through the material with this speed cp, so that its bulk "
+           "modulus is rho (cp^2 - 4/3 cs^2); it has to be above 1.155 cs.")
+    .field(bulk_entries::s_wave_speed, optional, "m/s", Range::positive(),
+           "Shear waves travel through the material with this speed cs, so that its shear modulus "
+           "is rho cs^2 with the density rho. Plane strain and solids need both speeds.");
   entries
     .real("Gravitational Acceleration", &S::gravity, "m/s^2", Range::atLeast(0),
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")

@@ -1,5 +1,6 @@
 #include "scenario/setup/rock/RockSetup.hpp"
 
+#include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Gather.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -22,6 +23,7 @@ namespace asperity::scenario
 {
 namespace
 {
+// The elastic constants, from moduli or from wave speeds.
 class Elasticity
 {
 public:
@@ -30,30 +32,69 @@ public:
       : bulk_(fieldOf(list, bulk_entries::bulk_modulus, region_names))
       , shear_(fieldOf(list, bulk_entries::shear_modulus, region_names))
       , poisson_(fieldOf(list, bulk_entries::poissons_ratio, region_names))
+      , p_wave_(fieldOf(list, bulk_entries::p_wave_speed, region_names))
+      , s_wave_(fieldOf(list, bulk_entries::s_wave_speed, region_names))
       , antiplane_(bulk.components == 1)
   {
     const int given = bulk_.has_value() + shear_.has_value() + poisson_.has_value();
+    if (p_wave_ || s_wave_) {
+      requireSpeeds(given);
+      return;
+    }
     const bool enough = given == 2 || (antiplane_ && shear_ && given == 1);
     ASPERITY_REQUIRE(enough, bulk_path << ": " << given << " of '" << bulk_entries::bulk_modulus
                                        << "', '" << bulk_entries::shear_modulus << "' and '"
                                        << bulk_entries::poissons_ratio
                                        << "' are given; the elastic body needs exactly two"
-                                       << (antiplane_ ? ", or the shear modulus alone." : "."));
+                                       << (antiplane_ ? ", or the shear modulus alone" : "")
+                                       << ", or wave speeds instead.");
   }
 
   template <int Dim>
   void read(Mesh<Dim> const& mesh)
   {
-    for (auto* field : {&bulk_, &shear_, &poisson_}) {
+    for (auto* field : {&bulk_, &shear_, &poisson_, &p_wave_, &s_wave_}) {
       if (*field) {
         (*field)->read(mesh);
       }
     }
   }
 
+  // The material has its density.
   void set(fem::Material& material, CellPlace const& place) const
   {
-    auto const at = [&](std::optional<CellField> const& field) { return (*field)(place); };
+    if (s_wave_) {
+      setFromSpeeds(material, place);
+    } else {
+      setFromModuli(material, place);
+    }
+  }
+
+private:
+  static std::optional<CellField> fieldOf(ParameterList const& list, char const* name,
+                                          std::vector<std::string> const& region_names)
+  {
+    return isGiven(list, name)
+             ? std::optional<CellField>(steadyField(list, name, bulk_path, region_names))
+             : std::nullopt;
+  }
+
+  void requireSpeeds(int num_moduli) const
+  {
+    auto const* const given = p_wave_ ? bulk_entries::p_wave_speed : bulk_entries::s_wave_speed;
+    ASPERITY_REQUIRE(num_moduli == 0, bulk_path << " / " << given
+                                                << " is given beside a modulus or Poisson's ratio. "
+                                                   "Give moduli or wave speeds, not both.");
+    ASPERITY_REQUIRE(
+      s_wave_ && (p_wave_ || antiplane_),
+      bulk_path << " / " << (s_wave_ ? bulk_entries::p_wave_speed : bulk_entries::s_wave_speed)
+                << " is missing: the elastic body needs both wave speeds"
+                << (antiplane_ ? ", or that of shear waves alone." : "."));
+  }
+
+  void setFromModuli(fem::Material& material, CellPlace const& place) const
+  {
+    const auto at = [&](std::optional<CellField> const& field) { return (*field)(place); };
     if (shear_) {
       material.shear_modulus = at(shear_);
     } else {
@@ -68,16 +109,28 @@ public:
     }
   }
 
-private:
-  static std::optional<CellField> fieldOf(ParameterList const& list, char const* name,
-                                          std::vector<std::string> const& region_names)
+  // G = rho cs^2, K = rho (cp^2 - 4/3 cs^2)
+  void setFromSpeeds(fem::Material& material, CellPlace const& place) const
   {
-    return isGiven(list, name)
-             ? std::optional<CellField>(steadyField(list, name, bulk_path, region_names))
-             : std::nullopt;
+    const double shear = (*s_wave_)(place);
+    material.shear_modulus = material.density * shear * shear;
+    if (!p_wave_) {
+      return;
+    }
+    const double compressional = (*p_wave_)(place);
+    const double difference = compressional * compressional - 4. / 3 * shear * shear;
+    auto const& x = place.centroid;
+    ASPERITY_REQUIRE(difference > 0, bulk_path
+                                       << " / " << bulk_entries::p_wave_speed << " is "
+                                       << formatShort(compressional) << " m/s at (x, y, z) = "
+                                       << formatPoint({x.begin(), x.end()}) << " m, but "
+                                       << bulk_entries::s_wave_speed << " is " << formatShort(shear)
+                                       << " m/s. The bulk modulus is positive only where the first "
+                                          "is above sqrt(4/3) = 1.155 times the second.");
+    material.bulk_modulus = material.density * difference;
   }
 
-  std::optional<CellField> bulk_, shear_, poisson_;
+  std::optional<CellField> bulk_, shear_, poisson_, p_wave_, s_wave_;
   bool antiplane_;
 };
 
