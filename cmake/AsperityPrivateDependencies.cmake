@@ -10,7 +10,7 @@ add_library(Asperity::METIS INTERFACE IMPORTED)
 target_include_directories(Asperity::METIS SYSTEM INTERFACE ${METIS_INCLUDE_DIR})
 target_link_libraries(Asperity::METIS INTERFACE ${METIS_LIBRARY})
 
-find_package(muparser REQUIRED)
+find_package(muparser 2.3.3 REQUIRED) # functions with data of their own
 find_package(CLI11 REQUIRED)
 # No version is given here, because Eigen 5 is refused where version 3 is requested.
 find_package(Eigen3 REQUIRED NO_MODULE)

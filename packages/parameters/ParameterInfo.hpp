@@ -5,11 +5,14 @@
 #include <Teuchos_ParameterEntryValidator.hpp>
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace asperity
 {
+struct TableFunctions;
+
 enum class ParameterKind
 {
   real,
@@ -48,6 +51,8 @@ public:
   std::string chosen_by;          // of a list or alternative: the choice that decides, or ""
   std::string hint;
   bool takes_datasets = true; // of a field
+  // Of a field in a deck: the functions that its expressions may call, or null.
+  std::shared_ptr<const TableFunctions> tables;
 
   bool isDimensionless() const { return unit.empty() || unit == "-"; }
 

@@ -4,6 +4,7 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "io/OutputSet.hpp"
 #include "scenario/deck/Names.hpp"
+#include "scenario/deck/Tables.hpp"
 #include "scenario/problem/InitialState.hpp"
 #include "scenario/setup/CheckpointSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
@@ -32,6 +33,7 @@ RCP<const ParameterList> deckParameters()
   auto const list =
     Declare()
       .openSublist(names_list, nameParameters(), meaningOfNames())
+      .openSublist(tables_list, tableParameters(), meaningOfTables())
       .sublist(
         "Mesh", meshParameters(),
         "This list says which region of space the body fills and how it is divided into cells.")

@@ -5,7 +5,10 @@
 #include "dynamics/control/StepControlKind.hpp"
 #include "dynamics/watches/Watch.hpp"
 #include "io/checkpoint/MeshChecksum.hpp"
+#include "parameters/ParameterInfo.hpp"
+#include "parameters/fields/TableFile.hpp"
 #include "parameters/fields/VertexDataset.hpp"
+#include "scenario/deck/Tables.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -17,6 +20,14 @@ namespace asperity::scenario
 namespace
 {
 const std::string mesh_file = "Asperity / Mesh / File / File Name";
+
+bool namesTableFile(std::string const& path, Teuchos::ParameterEntry const& entry)
+{
+  auto const info = parameterInfo(entry);
+  auto const tables = joinPath(joinPath("Asperity", tables_list), "");
+  return path.compare(0, tables.size(), tables) == 0 && !info.is_null() &&
+         info->kind == ParameterKind::file_name;
+}
 
 // Collects an entry for each parameter, in the order of the lists, which matters for regions and
 // boundary conditions.
@@ -38,7 +49,7 @@ public:
       if (entry.isList()) {
         add(Teuchos::getValue<ParameterList>(entry), name);
       } else if (entry.isType<std::string>()) {
-        addText(name, Teuchos::getValue<std::string>(entry));
+        addText(name, Teuchos::getValue<std::string>(entry), namesTableFile(name, entry));
       } else {
         addNumber(name, entry);
       }
@@ -55,14 +66,18 @@ public:
   io::Fingerprint const& result() const { return result_; }
 
 private:
-  void addText(std::string const& name, std::string const& text)
+  void addText(std::string const& name, std::string const& text, bool is_table)
   {
     if (name == mesh_file) {
       const auto checksum = io::checksum(mesh_, io::ChecksumOf::everything, communicator_);
       result_.entries.push_back({name, hexadecimal(checksum), "mesh file '" + text + "'"});
     } else if (VertexDataset::isName(text)) {
-      result_.entries.push_back(
-        {name, hexadecimal(datasetChecksum(text, name)), "dataset '" + text + "'"});
+      const auto checksum =
+        checksumOnRoot(text, [&] { return VertexDataset(text, name).checksum(); });
+      result_.entries.push_back({name, hexadecimal(checksum), "dataset '" + text + "'"});
+    } else if (is_table) {
+      const auto checksum = checksumOnRoot(text, [&] { return checksumOfFile(text, name); });
+      result_.entries.push_back({name, hexadecimal(checksum), "table file '" + text + "'"});
     } else {
       result_.entries.push_back({name, text, ""});
     }
@@ -81,19 +96,18 @@ private:
     result_.entries.push_back({name, text.str(), ""});
   }
 
-  // The first rank reads a dataset, once for all parameters that name it.
-  std::uint64_t datasetChecksum(std::string const& dataset, std::string const& parameter)
+  // The first rank reads a dataset or a file, once for all parameters that name it.
+  template <class Compute>
+  std::uint64_t checksumOnRoot(std::string const& named, Compute const& compute)
   {
-    const auto known = checksums_.find(dataset);
+    const auto known = checksums_.find(named);
     if (known != checksums_.end()) {
       return known->second;
     }
     long long checksum = 0;
-    onRoot(communicator_, [&] {
-      checksum = static_cast<long long>(VertexDataset(dataset, parameter).checksum());
-    });
+    onRoot(communicator_, [&] { checksum = static_cast<long long>(compute()); });
     Teuchos::broadcast(communicator_, 0, &checksum);
-    return checksums_[dataset] = static_cast<std::uint64_t>(checksum);
+    return checksums_[named] = static_cast<std::uint64_t>(checksum);
   }
 
   Mesh<Dim> const& mesh_;

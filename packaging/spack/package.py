@@ -45,7 +45,7 @@ class Asperity(CMakePackage, CudaPackage):
 
     depends_on("hdf5@1.10:+mpi")
     depends_on("metis@5:")
-    depends_on("muparser@2.2.6:")
+    depends_on("muparser@2.3.3:")
     depends_on("cli11")
     depends_on("eigen@3.3:")
     depends_on("gmsh", when="+gmsh")

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "parameters/fields/TableFunction.hpp"
 
 #include <muParser.h>
 
@@ -22,12 +23,28 @@ struct Expression::Parser
     double value = 0;
   };
 
+  // A function of a table, as muParser calls it. While a text is read, its value is 0: muParser
+  // evaluates it at the origin then, where a table may have no value.
+  struct Call
+  {
+    TableFunction const* function;
+    bool const* is_read;
+
+    static double at(void* call, double argument)
+    {
+      auto const& self = *static_cast<Call const*>(call);
+      return *self.is_read ? (*self.function)(argument) : 0;
+    }
+  };
+
   mu::Parser parser;
+  Tables tables;
+  std::vector<std::unique_ptr<Call>> calls;
   std::vector<std::unique_ptr<Mean>> means;
   double x = 0.0, y = 0.0, z = 0.0, t = 0.0;
-  bool uses_space = false, uses_time = false;
+  bool uses_space = false, uses_time = false, is_read = false;
 
-  Parser()
+  explicit Parser(Tables given = nullptr) : tables(std::move(given))
   {
     parser.DefineVar("x", &x);
     parser.DefineVar("y", &y);
@@ -41,10 +58,17 @@ struct Expression::Parser
     parser.DefineFun("erfc", static_cast<double (*)(double)>(std::erfc));
     parser.DefineFun("mean", [](double f) { return f; }); // for lists of functions
     parser.DefineFun("if", [](double c, double a, double b) { return c != 0.0 ? a : b; });
+    if (tables) {
+      for (auto const& [name, function] : tables->of_name) {
+        calls.push_back(std::make_unique<Call>(Call{&function, &is_read}));
+        parser.DefineFunUserData(name, &Call::at, calls.back().get(), false);
+      }
+    }
   }
 
   // The values at the origin at t = 0, one for each formula of the text.
   std::vector<double> read(std::string const& text, std::string const& path);
+  std::vector<double> valuesOf(std::string const& text, std::string const& path);
 
   // The text with variables in the places of means, which have their lengths.
   std::string withoutMeans(std::string text, std::string const& path);
@@ -67,6 +91,19 @@ void refuseAssignment(std::string const& text, std::string const& path)
   }
 }
 
+// The place of the parenthesis that closes the one at `open`; npos if there is none.
+std::size_t closingOf(std::string const& text, std::size_t open)
+{
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (depth == 0) {
+      return i;
+    }
+  }
+  return std::string::npos;
+}
+
 // Whether a text that is no expression looks like the name of a file: it ends like one, and has no
 // operation and no space, or goes on behind that of an HDF5 file.
 bool looksLikeFile(std::string const& text)
@@ -87,8 +124,19 @@ bool looksLikeFile(std::string const& text)
                      [](unsigned char letter) { return std::isalnum(letter) != 0; });
 }
 
+std::string textOf(Expression::Tables const& tables)
+{
+  std::vector<std::string> names;
+  if (tables) {
+    for (auto const& table : tables->of_name) {
+      names.push_back(table.first);
+    }
+  }
+  return names.empty() ? "" : ", and its Tables " + quotedNames(names);
+}
+
 [[noreturn]] void refuse(std::string const& text, std::string const& path,
-                         mu::ParserError const& error)
+                         Expression::Tables const& tables, mu::ParserError const& error)
 {
   ASPERITY_REQUIRE(
     !looksLikeFile(text),
@@ -97,7 +145,8 @@ bool looksLikeFile(std::string const& text)
       << "' looks like the name of a file, and is no expression. A file is given as "
          "'file.h5:/dataset': an HDF5 dataset with one number for each vertex of the mesh. Files "
          "of other kinds are not read; write their numbers into such a dataset, or as an "
-         "expression in x, y, z.");
+         "expression in x, y, z. A CSV file with a function of one variable stands in the list "
+         "Tables of a deck, and the field is an expression that calls it.");
   const auto position = static_cast<std::size_t>(error.GetPos());
   std::ostringstream message;
   message << path << " = '" << excerpt(text)
@@ -106,7 +155,8 @@ bool looksLikeFile(std::string const& text)
     message << " (character " << position + 1 << ", before '" << excerpt(text.substr(position))
             << "')";
   }
-  message << " It may use x, y, z, t, pi, e, the deck's Names, " << Expression::operations() << ".";
+  message << " It may use x, y, z, t, pi, e, the deck's Names, " << Expression::operations()
+          << textOf(tables) << ".";
   throw InputError(message.str());
 }
 } // namespace
@@ -122,18 +172,12 @@ std::string Expression::Parser::withoutMeans(std::string text, std::string const
         text[open] != '(') {
       continue;
     }
-    int depth = 0;
-    const auto closing =
-      std::find_if(text.begin() + static_cast<std::ptrdiff_t>(open), text.end(), [&depth](char c) {
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-        return depth == 0;
-      });
-    if (closing == text.end()) {
+    const std::size_t end = closingOf(text, open);
+    if (end == std::string::npos) {
       break; // muParser names the parenthesis that is missing
     }
-    const auto end = static_cast<std::size_t>(closing - text.begin());
-    means.push_back(
-      std::unique_ptr<Mean>(new Mean{Expression(text.substr(open + 1, end - open - 1), path)}));
+    means.push_back(std::unique_ptr<Mean>(
+      new Mean{Expression(text.substr(open + 1, end - open - 1), path, tables)}));
     auto name = "_" + std::to_string(means.size());
     parser.DefineVar(name, &means.back()->value);
     behind_mean = end + 1;
@@ -157,27 +201,39 @@ std::vector<double> Expression::Parser::read(std::string const& text, std::strin
       uses_time = uses_time || mean->formula.dependsOnTime();
       uses_space = uses_space || mean->formula.dependsOnSpace();
     }
-    int count = 0;
-    double const* values = parser.Eval(count);
-    return {values, values + count};
+    return valuesOf(text, path);
   } catch (mu::ParserError const& error) {
-    refuse(text, path, error);
+    refuse(text, path, tables, error);
   }
 }
 
-Expression::Expression(std::string const& text, std::string const& path)
-    : parser_(std::make_unique<Parser>())
+std::vector<double> Expression::Parser::valuesOf(std::string const& text, std::string const& path)
+{
+  is_read = !uses_space && !uses_time; // the values of others do not count
+  try {
+    int count = 0;
+    double const* values = parser.Eval(count);
+    is_read = true;
+    return {values, values + count};
+  } catch (InputError const& error) { // of a table
+    throw InputError(path + " = '" + excerpt(text) + "' has no value. " + error.what());
+  }
+}
+
+Expression::Expression(std::string const& text, std::string const& path, Tables tables)
+    : parser_(std::make_unique<Parser>(std::move(tables)))
     , text_(text)
+    , path_(path)
 {
   const auto results = parser_->read(text, path).size();
   ASPERITY_REQUIRE(results == 1, path << " = '" << excerpt(text) << "' has " << results
                                       << " values; write 1.5 rather than 1,5.");
 }
 
-std::optional<std::vector<double>> Expression::constants(std::string const& text,
-                                                         std::string const& path)
+std::optional<std::vector<double>>
+Expression::constants(std::string const& text, std::string const& path, Tables const& tables)
 {
-  Parser parser;
+  Parser parser(tables);
   auto values = parser.read(text, path);
   return parser.uses_space || parser.uses_time ? std::nullopt : std::optional(std::move(values));
 }
@@ -194,14 +250,20 @@ std::string Expression::operations()
   return text;
 }
 
-std::vector<std::string> Expression::reservedNames()
+void Expression::requireFreeName(std::string const& name, std::string const& path)
 {
-  std::vector<std::string> names = {"x", "y", "z", "t", "pi", "e"};
+  auto const parts = formulaParts(name);
+  ASPERITY_REQUIRE(parts.size() == 1 && parts.front().is_name,
+                   path << ": '" << name << "' cannot be used in an expression. Use "
+                        << "letters, digits and _, and begin with a letter.");
   const Parser with_all;
-  for (auto const& function : with_all.parser.GetFunDef()) {
-    names.push_back(function.first);
-  }
-  return names;
+  auto const& functions = with_all.parser.GetFunDef();
+  auto const& constants = with_all.parser.GetConst();
+  auto const& variables = with_all.parser.GetVar();
+  const bool is_taken =
+    functions.count(name) > 0 || constants.count(name) > 0 || variables.count(name) > 0;
+  ASPERITY_REQUIRE(!is_taken, path << ": '" << name << "' has a meaning in expressions already. "
+                                   << "Take another name.");
 }
 
 double Expression::operator()(std::array<double, 3> const& x, double t) const
@@ -224,7 +286,28 @@ double Expression::operator()(std::array<double, 3> const& x, double t, Patch co
   parser_->y = x[1];
   parser_->z = x[2];
   parser_->t = t;
-  return parser_->parser.Eval();
+  try {
+    return parser_->parser.Eval();
+  } catch (InputError const& error) { // of a table
+    throw InputError(path_ + " = '" + excerpt(text_) + "' has no value at " + placeText(x, t) +
+                     ". " + error.what());
+  }
+}
+
+TableFunction const* Expression::tableAlone() const
+{
+  auto text = trimmed(text_);
+  auto open = text.find('(');
+  while (open == 0 && closingOf(text, open) + 1 == text.size()) { // of a name's value
+    text = trimmed(text.substr(1, text.size() - 2));
+    open = text.find('(');
+  }
+  if (!parser_->tables || open == std::string::npos || closingOf(text, open) + 1 != text.size()) {
+    return nullptr;
+  }
+  auto const& functions = parser_->tables->of_name;
+  auto const found = functions.find(trimmed(text.substr(0, open)));
+  return found == functions.end() ? nullptr : &found->second;
 }
 
 bool Expression::takesMeans() const { return !parser_->means.empty(); }
@@ -232,6 +315,11 @@ bool Expression::takesMeans() const { return !parser_->means.empty(); }
 bool Expression::dependsOnSpace() const { return parser_->uses_space; }
 
 bool Expression::dependsOnTime() const { return parser_->uses_time; }
+
+std::string placeText(std::array<double, 3> const& x, double t)
+{
+  return "(x, y, z) = " + formatPoint({x.begin(), x.end()}) + " m, t = " + formatShort(t) + " s";
+}
 
 std::vector<FormulaPart> formulaParts(std::string const& text)
 {

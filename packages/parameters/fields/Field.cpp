@@ -5,21 +5,44 @@
 #include "parameters/ParameterInfo.hpp"
 #include "parameters/ParameterValue.hpp"
 #include "parameters/RangeText.hpp"
+#include "parameters/fields/TableFunction.hpp"
+#include "parameters/fields/Unit.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace asperity
 {
 namespace
 {
-std::string positionText(std::array<double, 3> const& x, double t)
-{
-  return "(x, y, z) = " + formatPoint({x.begin(), x.end()}) + " m, t = " + formatShort(t) + " s";
-}
-
 // After the end of a sentence.
 std::string nextSentence(std::string const& text) { return text.empty() ? "" : " " + text; }
+
+// nullopt for one that tables cannot have, such as deg.
+std::optional<Unit> knownUnit(std::string const& text)
+{
+  try {
+    return Unit(text, "");
+  } catch (InputError const&) {
+    return std::nullopt;
+  }
+}
+
+// The unit of a field whose value is that of a table, where the table names one.
+void requireUnit(Expression const& expression, std::string const& wanted, std::string const& path)
+{
+  auto const* table = expression.tableAlone();
+  if (!table || table->valueUnit().empty()) {
+    return;
+  }
+  auto const of_field = knownUnit(wanted);
+  ASPERITY_REQUIRE(!of_field || of_field->powers() == Unit(table->valueUnit(), path).powers(),
+                   path << " = '" << excerpt(expression.text()) << "' is in " << table->valueUnit()
+                        << ", as " << table->path() << " says, but "
+                        << (of_field->isPureNumber() ? "a number without a unit" : wanted)
+                        << " is wanted. Name the right column.");
+}
 } // namespace
 
 Field Field::constant(double value)
@@ -38,6 +61,8 @@ Field::Field(ParameterList const& list, std::string const& name, std::string con
   if (const auto info = parameterInfo(list, name); !info.is_null()) {
     range_ = info->range;
     hint_ = info->hint;
+    unit_ = info->unit;
+    tables_ = info->tables;
   }
   auto const& entry = list.getEntry(name);
   if (entry.isList()) {
@@ -54,7 +79,8 @@ Field::Part Field::makePart(Teuchos::ParameterEntry const& entry, std::string co
   Part part;
   part.path = path;
   if (holds<std::string>(entry)) {
-    part.expression = std::make_shared<Expression>(get<std::string>(entry), path);
+    part.expression = std::make_shared<Expression>(get<std::string>(entry), path, tables_);
+    requireUnit(*part.expression, unit_, path);
     if (!part.expression->dependsOnSpace() && !part.expression->dependsOnTime()) {
       const std::array<double, 3> origin{};
       const double all = 1;
@@ -117,7 +143,7 @@ double Field::evaluate(Part const& part, std::array<double, 3> const& x, double 
   const double value = (*part.expression)(x, t, patch);
   ASPERITY_REQUIRE(range_.contains(value),
                    part.path << " = '" << excerpt(part.expression->text()) << "' is "
-                             << formatNumber(value) << " at " << positionText(x, t) << ", outside "
+                             << formatNumber(value) << " at " << placeText(x, t) << ", outside "
                              << textOf(range_) << "." << nextSentence(hint_));
   return value;
 }

@@ -22,7 +22,7 @@ public:
   // Reads the entry `name` of a list completed by completeAndValidate, whose declaration gives the
   // range; `path` is where that list stands. A per-region list names every region of region_names
   // (region = index) and no other. InputError otherwise, and for an expression muParser refuses or
-  // a dataset not found. used: (num regions) false where the field is never evaluated, so that a
+  // a dataset not found, or for a table in another unit. used: (num regions) false where the field is never evaluated, so that a
   // list need not name the region; empty if it is used in all.
   Field(ParameterList const& list, std::string const& name, std::string const& path,
         std::vector<std::string> const& region_names, std::vector<bool> const& used = {});
@@ -77,7 +77,8 @@ private:
 
   std::string path_;
   Range range_ = Range::any();
-  std::string hint_;
+  std::string hint_, unit_;
+  Expression::Tables tables_;
   std::vector<Part> parts_; // one, or one per region; none for a dataset
   std::shared_ptr<const VertexDataset> dataset_;
 };

@@ -4,6 +4,7 @@
 #include "parameters/ParameterValue.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 #include "scenario/deck/Names.hpp"
+#include "scenario/deck/Tables.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -132,7 +133,8 @@ GivenDeck deckAsGiven(CommandLine const& command_line, ParameterList const& vali
 
 void assembleDeck(GivenDeck const& deck, ParameterList const& valid)
 {
-  resolveNames(*deck.list, valid, deck.names_to_use);
+  auto const tables = resolveNames(*deck.list, valid, deck.names_to_use);
   completeAndValidate(*deck.list, valid, "Asperity");
+  giveTables(*deck.list, tables);
 }
 } // namespace asperity::scenario

@@ -20,7 +20,7 @@ struct GivenDeck
 // looked for beside the deck, too. Throws InputError if that fails.
 GivenDeck deckAsGiven(CommandLine const& command_line, ParameterList const& valid);
 
-// Replaces the deck's names by their values, checks and completes it by the declarations `valid`.
-// Throws InputError if that fails.
+// Replaces the deck's names by their values, checks and completes it by the declarations `valid`,
+// and lets its fields call its tables. Throws InputError if that fails.
 void assembleDeck(GivenDeck const& deck, ParameterList const& valid);
 } // namespace asperity::scenario

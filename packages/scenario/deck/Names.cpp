@@ -5,7 +5,9 @@
 #include "parameters/Alternatives.hpp"
 #include "parameters/ParameterValue.hpp"
 #include "parameters/fields/Expression.hpp"
+#include "parameters/fields/TableFunction.hpp"
 #include "parameters/fields/VertexDataset.hpp"
+#include "scenario/deck/Tables.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -37,7 +39,7 @@ public:
   explicit Names(ParameterList const& list)
   {
     for (auto const& name : namesIn(list)) {
-      checkName(name);
+      Expression::requireFreeName(name, pathOf(name));
       auto const& entry = list.getEntry(name);
       const bool is_formula =
         holds<std::string>(entry) && !VertexDataset::isName(get<std::string>(entry));
@@ -46,11 +48,24 @@ public:
                                     << ", but a number or an expression is wanted.");
       texts_[name] = plainText(entry);
     }
-    for (auto const& [name, text] : texts_) {
-      Expression(replacedIn(text, pathOf(name), {name}), pathOf(name));
-    }
-    used_.clear();
   }
+
+  // From here on they may call these functions. InputError for a name that is no formula, or that a
+  // table has, too.
+  void setTables(Expression::Tables const& tables)
+  {
+    tables_ = tables;
+    auto const used = used_;
+    for (auto const& [name, text] : texts_) {
+      ASPERITY_REQUIRE(!tables || tables->of_name.count(name) == 0,
+                       pathOf(name)
+                         << ": the list Tables has '" << name << "', too. Take another name.");
+      Expression(replacedIn(text, pathOf(name), {name}), pathOf(name), tables_);
+    }
+    used_ = used;
+  }
+
+  Expression::Tables const& tables() const { return tables_; }
 
   bool areIn(std::string const& text) const
   {
@@ -88,18 +103,6 @@ public:
   }
 
 private:
-  static void checkName(std::string const& name)
-  {
-    auto const parts = formulaParts(name);
-    ASPERITY_REQUIRE(parts.size() == 1 && parts.front().is_name,
-                     pathOf(name) << ": '" << name << "' cannot be used in an expression. Use "
-                                  << "letters, digits and _, and begin with a letter.");
-    const auto taken = Expression::reservedNames();
-    ASPERITY_REQUIRE(std::find(taken.begin(), taken.end(), name) == taken.end(),
-                     pathOf(name) << ": '" << name << "' has a meaning in expressions already. "
-                                  << "Take another name.");
-  }
-
   bool has(FormulaPart const& part) const { return part.is_name && texts_.count(part.text) > 0; }
 
   std::string valueOf(std::string const& name, Open open)
@@ -118,6 +121,7 @@ private:
 
   std::map<std::string, std::string> texts_;
   std::set<std::string> used_;
+  Expression::Tables tables_;
 };
 
 // A text that is not constant stays: the check of the type then refuses it with a message.
@@ -130,7 +134,7 @@ void resolveNumbers(ParameterEntry& entry, bool is_array, Names& names, std::str
   }
   const auto text = names.replacedIn(*given, path);
   try {
-    const auto values = Expression::constants(text, path);
+    const auto values = Expression::constants(text, path, names.tables());
     if (values && is_array) {
       entry = ParameterEntry(Teuchos::Array<double>(*values));
     } else if (values && values->size() == 1) {
@@ -224,17 +228,24 @@ std::string meaningOfNames()
          "their places. Expressions may use x, y, z, t, pi, e, " +
          Expression::operations() +
          " (log is the natural logarithm; mean(f) is the mean of f over the facets around a node "
-         "of a "
-         "fault, in other fields f).";
+         "of a fault, in other fields f), and the functions of the list Tables.";
 }
 
-void resolveNames(ParameterList& deck, ParameterList const& valid,
-                  std::vector<std::string> const& to_be_used)
+Expression::Tables resolveNames(ParameterList& deck, ParameterList const& valid,
+                                std::vector<std::string> const& to_be_used)
 {
   Names names(takeNames(deck));
+  Expression::Tables tables;
+  if (valid.isSublist(tables_list) && deck.isParameter(tables_list)) {
+    resolveEntry(deck.getEntry(tables_list), valid.getEntry(tables_list), names,
+                 joinPath("Asperity", tables_list));
+    tables = readTables(deck);
+  }
+  names.setTables(tables);
   resolveIn(deck, valid, names, "Asperity");
   for (auto const& name : to_be_used) {
     names.requireUsed(name);
   }
+  return tables;
 }
 } // namespace asperity::scenario

@@ -2,6 +2,7 @@
 
 #include "base/Types.hpp"
 #include "parameters/Parameters.hpp"
+#include "parameters/fields/Expression.hpp"
 
 #include <string>
 #include <vector>
@@ -25,7 +26,8 @@ std::string meaningOfNames();
 // the list. Where `valid` wants a number or an array of numbers, a text such as "slope * 3600" or
 // "{slope, -1}" becomes one. InputError for names that are not identifiers, that functions or
 // coordinates have, or that refer to each other in a loop; also for one of `to_be_used` that
-// nothing uses. Call it before completeAndValidate.
-void resolveNames(ParameterList& deck, ParameterList const& valid,
-                  std::vector<std::string> const& to_be_used = {});
+// nothing uses. Reads the deck's tables, whose entries may use names that call no table, and
+// returns their functions, null if there are none. Call it before completeAndValidate.
+Expression::Tables resolveNames(ParameterList& deck, ParameterList const& valid,
+                                std::vector<std::string> const& to_be_used = {});
 } // namespace asperity::scenario

@@ -1,7 +1,9 @@
 #include "scenario/watches/SkippedTimes.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "parameters/ParameterInfo.hpp"
 #include "parameters/fields/TimesInFormula.hpp"
 #include "scenario/setup/NodalField.hpp"
 
@@ -38,7 +40,7 @@ SkippedTimes::SkippedTimes(ParameterList const& deck, std::vector<std::array<dou
     , communicator_(std::move(communicator))
 {
   for (auto const* part : {"Boundary Conditions", "Bulk", "Friction"}) { // whatever loads
-    collect(deck.sublist(part), joinPath("Asperity", part));
+    collect(deck.sublist(part), joinPath("Asperity", part), nullptr);
   }
   std::sort(times_.begin(), times_.end());
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());
@@ -56,19 +58,23 @@ void SkippedTimes::note(dynamics::WatchedState const& now, dynamics::Notes& note
   }
 }
 
-void SkippedTimes::collect(ParameterList const& list, std::string const& path)
+void SkippedTimes::collect(ParameterList const& list, std::string const& path,
+                           Expression::Tables const& of_list)
 {
   for (auto const& each : list) {
     auto const name = joinPath(path, each.first);
+    auto const info = parameterInfo(each.second);
+    // A value of a region has no information of its own.
+    auto const tables = info.is_null() ? of_list : info->tables;
     if (list.isSublist(each.first)) {
-      collect(list.sublist(each.first), name);
+      collect(list.sublist(each.first), name, tables);
     } else if (list.isType<std::string>(each.first)) {
       auto const& text = list.get<std::string>(each.first);
       auto const compared = timesComparedIn(text);
       times_.insert(times_.end(), compared.begin(), compared.end());
       std::shared_ptr<const Expression> load;
       for (const double centre : timesShiftedIn(text)) {
-        load = load ? load : std::make_shared<const Expression>(text, name);
+        load = load ? load : std::make_shared<const Expression>(text, name, tables);
         pulses_.push_back({centre, load, name});
       }
     }
@@ -108,11 +114,15 @@ bool SkippedTimes::isPassed(Pulse const& pulse, double begin, double end) const
 {
   double largest = 0, outside = 0;
   for (auto const& place : places_) {
-    const double at_begin = (*pulse.load)(place, begin), at_end = (*pulse.load)(place, end);
-    const double inside = (*pulse.load)(place, pulse.centre);
-    auto const [low, high] = std::minmax(at_begin, at_end);
-    largest = std::max({largest, std::abs(low), std::abs(high), std::abs(inside)});
-    outside = std::max({outside, inside - high, low - inside});
+    try {
+      const double at_begin = (*pulse.load)(place, begin), at_end = (*pulse.load)(place, end);
+      const double inside = (*pulse.load)(place, pulse.centre);
+      auto const [low, high] = std::minmax(at_begin, at_end);
+      largest = std::max({largest, std::abs(low), std::abs(high), std::abs(inside)});
+      outside = std::max({outside, inside - high, low - inside});
+    } catch (InputError const&) { // a table has no value where the load does not act
+      continue;
+    }
   }
   constexpr double share = 0.1;
   return maxOverRanks(outside, *communicator_) > share * maxOverRanks(largest, *communicator_);

@@ -44,7 +44,9 @@ private:
     std::shared_ptr<const Expression> load;
     std::string path;
   };
-  void collect(ParameterList const& list, std::string const& path);
+  // of_list: the functions that a text may call which no declaration describes.
+  void collect(ParameterList const& list, std::string const& path,
+               Expression::Tables const& of_list);
   bool isPassed(Pulse const& pulse, double begin, double end) const;
 
   std::vector<double> times_; // [s], ascending
