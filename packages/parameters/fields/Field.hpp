@@ -21,9 +21,10 @@ class Field
 public:
   // Reads the entry `name` of a list completed by completeAndValidate, whose declaration gives the
   // range; `path` is where that list stands. A per-region list names every region of region_names
-  // (region = index) and no other. InputError otherwise, and for an expression muParser refuses or
-  // a dataset not found, or for a table in another unit. used: (num regions) false where the field is never evaluated, so that a
-  // list need not name the region; empty if it is used in all.
+  // (region = index) and no other. InputError otherwise, for an expression that muParser refuses,
+  // for a table in another unit than the field, and for a dataset not found. used: (num regions)
+  // false where the field is never evaluated, so that a list need not name the region; empty if it
+  // is used in all.
   Field(ParameterList const& list, std::string const& name, std::string const& path,
         std::vector<std::string> const& region_names, std::vector<bool> const& used = {});
 
