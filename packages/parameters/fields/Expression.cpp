@@ -211,6 +211,9 @@ std::vector<double> Expression::Parser::valuesOf(std::string const& text, std::s
 {
   is_read = !uses_space && !uses_time; // the values of others do not count
   try {
+    for (auto const& mean : means) {
+      mean->value = is_read ? mean->formula({}, 0) : 0;
+    }
     int count = 0;
     double const* values = parser.Eval(count);
     is_read = true;

@@ -72,6 +72,7 @@ TEST(Field, TakesMeansOverAPatch)
   EXPECT_FALSE(expression("x").takesMeans());
   EXPECT_TRUE(expression("mean(t)").dependsOnTime());
   EXPECT_EQ(expression("mean(x) + x")({2, 0, 0}, 0, 0), 4); // without a patch
+  EXPECT_EQ(Expression::constants("2 * mean(3), mean(1)", "a"), (std::vector<double>{6, 1}));
 }
 
 TEST(Field, NamesTheMistakeInAMean)
