@@ -5,7 +5,11 @@
 #include "friction/Registry.hpp"
 #include "scenario/report/Rounded.hpp"
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
 #include <cmath>
 
 namespace asperity::scenario
@@ -52,7 +56,7 @@ std::string describeNucleation(dynamics::FaultResolution const& resolution, LawC
 } // namespace
 
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
-                                  LawChoice const& laws, std::string const& mesh_type)
+                                  LawChoice const& laws, std::string const& lower_cells)
 {
   auto const& r = resolution;
   const std::string zone = laws.frictionLaw().strength_drop
@@ -72,16 +76,31 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                       " >= " + rounded(r.cohesive_zone) + " m, at least " +
                                       rounded(r.cells_per_zone) + " cells.",
                                     describeNucleation(r, laws)};
-  auto const generated = generatedMesh(mesh_type);
   if (r.cells_per_zone < cells_of_any_shape && r.cell_height > high_cell) {
     lines.push_back(
       "Cells beside the fault are up to " + rounded(r.cell_height) +
       " times as high as they are long." + tooStiff(r) +
-      " Lower cells do better with the same nodes on the fault: 0.58 times as high as "
-      "long in antiplane models, about half as high as long in others." +
-      ' ' + (generated ? generated->lower_cells : GeneratedMesh::lower_cells_beside));
+      (lower_cells.empty()
+         ? ""
+         : " Lower cells do better with the same nodes on the fault: 0.58 times as high as "
+           "long in antiplane models, about half as high as long in others. " +
+             lower_cells));
   }
   return lines;
+}
+
+std::string adviceOnLowerCells(ParameterList const& mesh, std::vector<std::string> const& faults)
+{
+  if (mesh.isParameter(flat_cells_beside)) {
+    auto const flat = mesh.get<Teuchos::Array<std::string>>(flat_cells_beside);
+    if (std::all_of(faults.begin(), faults.end(), [&](auto const& fault) {
+          return std::find(flat.begin(), flat.end(), fault) != flat.end();
+        })) {
+      return "";
+    }
+  }
+  auto const generated = generatedMesh(mesh.get<std::string>("Type"));
+  return generated ? generated->lower_cells : GeneratedMesh::lower_cells_beside;
 }
 
 template <int Dim>

@@ -15,6 +15,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
+#include "scenario/setup/mesh/MeshSetup.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <algorithm>
@@ -103,18 +104,17 @@ template <int Dim>
 void warnOfFlatCells(Problem<Dim> const& problem, Description& description)
 {
   ParameterList const& mesh = problem.settings.lists.mesh;
-  constexpr char const* entry = "Flat Cells Beside";
-  if (!mesh.isParameter(entry)) {
+  if (!mesh.isParameter(flat_cells_beside)) {
     return;
   }
-  auto const names = mesh.get<Teuchos::Array<std::string>>(entry);
+  auto const names = mesh.get<Teuchos::Array<std::string>>(flat_cells_beside);
   for (auto const& condition : problem.settings.conditions) {
     auto const& name = condition.boundary;
     if (condition.type->isContinuation() &&
         std::find(names.begin(), names.end(), name) != names.end() && hasTip(problem, name)) {
       description.warnings.push_back(
         {"flat cells",
-         std::string("Mesh / ") + entry + " names '" + name +
+         std::string("Mesh / ") + flat_cells_beside + " names '" + name +
            "', along which slip is prescribed and ends inside the body. Flat cells give "
            "friction the right stiffness, but do not improve the response of the body to "
            "prescribed slip: within two cells of its ends displacements err by 10 to 30 %, and "
@@ -177,7 +177,10 @@ Description describe(Problem<Dim> const& problem)
   description.add(problem.findings.remarks);
   if (auto const& resolution = problem.scales.resolution) {
     auto const& laws = settings.friction.laws;
-    description.add(describe(*resolution, laws, settings.lists.mesh.get<std::string>("Type")));
+    description.add(
+      describe(*resolution, laws,
+               adviceOnLowerCells(settings.lists.mesh,
+                                  faultsWithFriction(problem.discretisation.boundary))));
     description.add(warnOfResolution(*resolution, laws));
   }
   // With a normal stress in the wrong unit the lengths of friction are wrong, not the body's.

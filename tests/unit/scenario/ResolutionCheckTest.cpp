@@ -251,9 +251,16 @@ TEST(ResolutionCheck, MeasuresThePartThatWeakens)
 
 TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
 {
-  const auto advice = [](double cells_per_zone, double height, std::string const& mesh) {
-    for (auto const& line : describe({1, 1, 10, 47, 40, cells_per_zone, height, {0.035, 0.012}},
-                                     lawsWith("Ageing"), mesh)) {
+  const auto advice = [](double cells_per_zone, double height, std::string const& type,
+                         std::vector<std::string> const& flat_beside = {}) {
+    ParameterList mesh;
+    mesh.set("Type", type);
+    if (!flat_beside.empty()) {
+      mesh.set("Flat Cells Beside", array(flat_beside));
+    }
+    for (auto const& line :
+         describe({1, 1, 10, 47, 40, cells_per_zone, height, {0.035, 0.012}}, lawsWith("Ageing"),
+                  adviceOnLowerCells(mesh, {"main", "splay"}))) {
       if (line.find("times as high as they are long") != std::string::npos) {
         return line;
       }
@@ -266,6 +273,11 @@ TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
   const auto of_file = advice(4, 1, "File");
   expectParts(of_file, {"'Mesh / Flat Cells Beside' makes them"});
   EXPECT_EQ(of_file.find("first cells"), std::string::npos) << of_file;
+  EXPECT_EQ(advice(4, 1, "File", {"main"}), of_file); // the splay has high cells
+  const auto of_flat = advice(4, 1, "File", {"splay", "main", "ground"});
+  expectParts(of_flat, {"times as high as they are long. Such bricks"});
+  EXPECT_EQ(of_flat.find("Lower cells"), std::string::npos) << of_flat;
+  EXPECT_EQ(of_flat.find("Flat Cells"), std::string::npos) << of_flat;
   EXPECT_EQ(advice(4, 0.577, "Box"), "");
   EXPECT_EQ(advice(20, 1, "Box"), "");
 }

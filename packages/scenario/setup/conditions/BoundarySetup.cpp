@@ -4,6 +4,8 @@
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/conditions/FaultConditions.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace asperity::scenario
@@ -96,6 +98,20 @@ BoundaryConditions<Dim> makeBoundaryConditions(std::vector<BoundaryCondition> co
   return result;
 }
 
+template <int Dim>
+fem::Boundaries faultsWithFriction(BoundaryConditions<Dim> const& conditions)
+{
+  auto const& given = conditions.given_slip;
+  fem::Boundaries result;
+  std::copy_if(conditions.faults.begin(), conditions.faults.end(), std::back_inserter(result),
+               [&](std::string const& fault) {
+                 return std::find(given.begin(), given.end(), fault) == given.end();
+               });
+  return result;
+}
+
+template fem::Boundaries faultsWithFriction(BoundaryConditions<2> const&);
+template fem::Boundaries faultsWithFriction(BoundaryConditions<3> const&);
 template BoundaryConditions<2> makeBoundaryConditions(std::vector<BoundaryCondition> const&, int);
 template BoundaryConditions<3> makeBoundaryConditions(std::vector<BoundaryCondition> const&, int);
 } // namespace asperity::scenario

@@ -34,6 +34,10 @@ struct BoundaryConditions
   double ramp_end = 0; // end of the last loading ramp [s]
 };
 
+// The faults but those whose slip is prescribed.
+template <int Dim>
+fem::Boundaries faultsWithFriction(BoundaryConditions<Dim> const& conditions);
+
 // Joins all conditions of a deck. Where none is of a kind of fault, conditions of the Type
 // Prescribed Slip Rate are its faults, between two bodies.
 //

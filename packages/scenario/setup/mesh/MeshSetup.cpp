@@ -26,7 +26,6 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* flat_cells = "Flat Cells Beside";
 
 // The entries of the list `name`, one condition each.
 template <int Dim>
@@ -103,7 +102,7 @@ Entries<MeshSettings> meshEntries()
              "on all ranks at once, with its region, boundaries and faults. The body keeps the "
              "shape of the coarse mesh, for which the conditions in 'Regions', 'Boundaries' and "
              "'Faults' are evaluated.")
-    .textArray(flat_cells, &S::flat_cells, optional,
+    .textArray(flat_cells_beside, &S::flat_cells, optional,
                "Cells beside these boundaries or faults become flat: their vertices move towards "
                "them, and no cell is added; other faults that they reach move along. Linear cells "
                "make a fault stiffer than rock, the less "
@@ -173,7 +172,7 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   if (is_file &&
       withMeshFileErrors([&] { return mesh::isPartitioned(file_name, *communicator); })) {
     ASPERITY_REQUIRE(!settings.flat_cells,
-                     joinPath(mesh_path, flat_cells)
+                     joinPath(mesh_path, flat_cells_beside)
                        << " needs a whole mesh, but mesh file '" << file_name
                        << "' is partitioned. Run on the whole mesh, or leave this entry out.");
     ASPERITY_REQUIRE(faults.empty(),
@@ -193,7 +192,7 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
   mesh::addFaults(whole, faults, where_faults);
   if (settings.flat_cells) {
     mesh::flattenBeside(whole, *settings.flat_cells, settings.flat_height,
-                        joinPath(mesh_path, flat_cells));
+                        joinPath(mesh_path, flat_cells_beside));
   }
   if (is_file || !faults.empty()) { // generators make none
     mesh::splitFaults(whole, mesh_path);

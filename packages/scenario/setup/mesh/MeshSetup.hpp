@@ -5,6 +5,9 @@
 
 namespace asperity::scenario
 {
+// The entry of the list `Mesh` that names boundaries and faults beside which cells become flat.
+inline constexpr char const* flat_cells_beside = "Flat Cells Beside";
+
 // The deck's list `Mesh`.
 RCP<const ParameterList> meshParameters();
 
