@@ -22,7 +22,8 @@ XML file of lists; a path such as `Time Stepping / Final Time` is a parameter in
 `Time Stepping`, and `--set "Time Stepping/Final Time=100"` changes it. Names in `<angle brackets>`
 are yours. "field" stands for a number, an expression in `x`, `y`, `z`, `t`, a dataset
 `"file.h5:/dataset"` with one value for each vertex, or a list with one entry for each region;
-a "field without dataset" is needed at places that are no vertices.
+fields of `Friction`, and `Slip Rate` and `alpha` of `Initial State`, also take a list with one
+entry for each fault. A "field without dataset" is needed at places that are no vertices.
 Laws and outputs of plugins add their own: `asperity --print-parameters --plugin libmine.so`.
 """
 MESH_TOP = """# Parameters of meshes

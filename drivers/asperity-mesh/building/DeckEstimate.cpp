@@ -43,14 +43,25 @@ namespace
 constexpr double seconds_per_unknown = 1.9 * 3600 / (9287. * 291054);
 constexpr int components = 3;
 
-Samples samplesOf(std::vector<std::string> const& faults, Complex const& complex,
-                  Model const& model, CellSize const& size)
+// Places on the faults with friction, and the number of the fault of each among all of the deck.
+struct FaultSamples : Samples
 {
-  Samples samples;
+  std::vector<int> faults;
+};
+
+FaultSamples samplesOf(scenario::BoundaryConditions<3> const& boundary, Complex const& complex,
+                       Model const& model, CellSize const& size)
+{
+  auto const& all = boundary.faults;
+  auto const with_friction = scenario::faultsWithFriction(boundary);
+  FaultSamples samples;
   for (std::size_t i = 0; i < complex.triangles.size(); ++i) {
     const int s = complex.surfaces[i];
-    if (model.isFault(s) && std::count(faults.begin(), faults.end(), model.name(s)) > 0) {
+    auto const found = std::find(all.begin(), all.end(), model.name(s));
+    if (model.isFault(s) && found != all.end() &&
+        std::count(with_friction.begin(), with_friction.end(), *found) > 0) {
       addSamples(samples, complex, complex.triangles[i], size);
+      samples.faults.resize(samples.places.size(), static_cast<int>(found - all.begin()));
     }
   }
   return samples;
@@ -65,12 +76,18 @@ Mesh<3> regionsOfMesh()
   return mesh;
 }
 
-scenario::FieldNodes nodesAt(std::vector<std::array<double, 3>> const& places)
+// The samples as nodes of the faults, in the axes of the deck.
+scenario::FieldNodes nodesAt(FaultSamples const& samples, std::vector<std::string> const& faults,
+                             bool is_y_up)
 {
   scenario::FieldNodes nodes(regionsOfMesh(), {});
-  nodes.places = places;
-  nodes.regions.assign(places.size(), 0);
-  nodes.ids.assign(places.size(), 0);
+  for (auto const& x : samples.places) {
+    nodes.places.push_back(is_y_up ? Point<3>{x[0], x[2], -x[1]} : x);
+  }
+  nodes.regions.assign(nodes.places.size(), 0);
+  nodes.ids.assign(nodes.places.size(), 0);
+  nodes.fault_names = faults;
+  nodes.faults = samples.faults;
   return nodes;
 }
 
@@ -90,13 +107,12 @@ void requireBoundaries(std::vector<scenario::BoundaryCondition> const& condition
   }
 }
 
-// Friction and normal stress at places of faults; empty if the laws do not say how friction
+// Friction and normal stress at nodes of faults; empty if the laws do not say how friction
 // weakens.
-std::optional<dynamics::FrictionOfNodes>
-frictionAt(std::vector<std::array<double, 3>> const& places, ParameterList const& friction,
-           scenario::FrictionSettings const& settings)
+std::optional<dynamics::FrictionOfNodes> frictionAt(scenario::FieldNodes const& nodes,
+                                                    ParameterList const& friction,
+                                                    scenario::FrictionSettings const& settings)
 {
-  const auto nodes = nodesAt(places);
   const scenario::LawsAtNodes laws(settings.laws, friction, nodes);
   const auto sensitivity = laws.sensitivities();
   const auto drop = laws.strengthDrops();
@@ -107,9 +123,7 @@ frictionAt(std::vector<std::array<double, 3>> const& places, ParameterList const
   dynamics::FrictionOfNodes result;
   result.L = *slip_distance;
   result.sigma_n =
-    scenario::NodalField(
-      Field(friction, "Normal Stress", scenario::friction_path, nodes.region_names), nodes)
-      .at(0);
+    scenario::NodalField(friction, "Normal Stress", scenario::friction_path, nodes).at(0);
   for (double& stress : result.sigma_n) {
     stress *= settings.normal_stress_factor;
   }
@@ -143,19 +157,16 @@ dynamics::FaultPlaces placesOf(Samples const& samples, CellSize const& size,
 // Empty if friction weakens nowhere, or its laws do not say by how much.
 std::optional<dynamics::FaultResolution>
 resolutionOf(ParameterList const& deck, scenario::BulkSettings const& bulk,
-             scenario::FrictionSettings const& settings, Samples const& samples, bool is_y_up,
-             CellSize const& size, fem::OtherSide const& other_side)
+             scenario::FrictionSettings const& settings, FaultSamples const& samples,
+             scenario::FieldNodes const& nodes, CellSize const& size,
+             fem::OtherSide const& other_side)
 {
-  std::vector<std::array<double, 3>> places; // in the axes of the deck
-  for (auto const& x : samples.places) {
-    places.push_back(is_y_up ? Point<3>{x[0], x[2], -x[1]} : x);
-  }
-  const auto friction = frictionAt(places, deck.sublist("Friction"), settings);
+  const auto friction = frictionAt(nodes, deck.sublist("Friction"), settings);
   if (!friction) {
     return std::nullopt;
   }
   const auto rock = scenario::elasticRockAt(bulk, deck.sublist("Bulk"), regionsOfMesh(),
-                                            std::vector<int>(places.size(), 0), places);
+                                            nodes.regions, nodes.places);
   return dynamics::faultResolution(placesOf(samples, size, other_side), components, rock, *friction,
                                    Teuchos::SerialComm<int>());
 }
@@ -206,13 +217,7 @@ void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize 
   reportSize(*deck, cells, out);
 
   const auto boundary = scenario::makeBoundaryConditions<3>(conditions, components);
-  std::vector<std::string> faults;
-  for (auto const& name : boundary.faults) {
-    if (std::count(boundary.given_slip.begin(), boundary.given_slip.end(), name) == 0) {
-      faults.push_back(name);
-    }
-  }
-  const auto samples = samplesOf(faults, complex, settings.model, size);
+  const auto samples = samplesOf(boundary, complex, settings.model, size);
   auto const& friction = deck->sublist("Friction");
   if (samples.places.empty()) {
     out << of << "no fault has friction\n";
@@ -225,14 +230,17 @@ void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize 
     return;
   }
   const auto friction_settings = scenario::FrictionSettings::from(friction);
-  const auto resolution = resolutionOf(*deck, bulk, friction_settings, samples, settings.is_y_up,
-                                       size, boundary.other_side);
+  const auto resolution =
+    resolutionOf(*deck, bulk, friction_settings, samples,
+                 nodesAt(samples, boundary.faults, settings.is_y_up), size, boundary.other_side);
   if (!resolution) {
     out << of << "friction weakens nowhere, or its law has no cohesive zone\n";
     return;
   }
   auto const& laws = friction_settings.laws;
-  for (auto const& line : scenario::describe(*resolution, laws, "File")) {
+  const auto advice =
+    scenario::adviceOnLowerCells(deck->sublist("Mesh"), scenario::faultsWithFriction(boundary));
+  for (auto const& line : scenario::describe(*resolution, laws, advice)) {
     out << of << line << '\n';
   }
   for (auto const& warning : scenario::warnOfResolution(*resolution, laws)) {

@@ -16,6 +16,34 @@ namespace asperity
 {
 namespace
 {
+// Whether the list names faults in place of regions: not all its names are regions, and one is a
+// fault. InputError for a list of both, and for a name that is neither.
+bool namesFaults(ParameterList const& list, std::string const& path,
+                 std::vector<std::string> const& region_names,
+                 std::vector<std::string> const& fault_names)
+{
+  const auto is_in = [](std::vector<std::string> const& names, std::string const& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  bool has_fault = false, has_region = false;
+  for (auto const& name : namesIn(list)) {
+    const bool is_region = is_in(region_names, name), is_fault = is_in(fault_names, name);
+    if (!fault_names.empty() && !is_region && !is_fault) {
+      auto known = region_names;
+      known.insert(known.end(), fault_names.begin(), fault_names.end());
+      throw InputError(joinPath(path, name) + ": '" + name +
+                       "' is neither a region of the mesh nor a fault." + didYouMean(name, known));
+    }
+    has_region = has_region || !is_fault;
+    has_fault = has_fault || !is_region;
+  }
+  ASPERITY_REQUIRE(fault_names.empty() || !has_region || !has_fault,
+                   path << " names regions and faults: " << quotedNames(namesIn(list))
+                        << ". Give a value for each region, " << quotedNames(region_names)
+                        << ", or for each fault, " << quotedNames(fault_names) << ".");
+  return !fault_names.empty() && has_fault;
+}
+
 // After the end of a sentence.
 std::string nextSentence(std::string const& text) { return text.empty() ? "" : " " + text; }
 
@@ -54,7 +82,8 @@ Field Field::constant(double value)
 }
 
 Field::Field(ParameterList const& list, std::string const& name, std::string const& path,
-             std::vector<std::string> const& region_names, std::vector<bool> const& used)
+             std::vector<std::string> const& region_names, std::vector<bool> const& used,
+             std::vector<std::string> const& fault_names)
     : path_(joinPath(path, name))
 {
   ASPERITY_REQUIRE(list.isParameter(name), path_ << " is missing.");
@@ -66,7 +95,13 @@ Field::Field(ParameterList const& list, std::string const& name, std::string con
   }
   auto const& entry = list.getEntry(name);
   if (entry.isList()) {
-    readRegions(get<ParameterList>(entry), region_names, used);
+    auto const& parts = get<ParameterList>(entry);
+    is_per_fault_ = namesFaults(parts, path_, region_names, fault_names);
+    if (is_per_fault_) {
+      readFaults(parts, fault_names);
+    } else {
+      readRegions(parts, region_names, used);
+    }
   } else if (holds<std::string>(entry) && VertexDataset::isName(get<std::string>(entry))) {
     dataset_ = std::make_shared<VertexDataset>(get<std::string>(entry), path_);
   } else {
@@ -116,6 +151,17 @@ void Field::readRegions(ParameterList const& regions, std::vector<std::string> c
     if (is_given) {
       parts_[region] = makePart(regions.getEntry(name), joinPath(path_, name));
     }
+  }
+}
+
+void Field::readFaults(ParameterList const& faults, std::vector<std::string> const& fault_names)
+{
+  for (auto const& name : fault_names) {
+    ASPERITY_REQUIRE(faults.isParameter(name),
+                     path_ << " has no value for the fault '" << name
+                           << "'. The model has the faults " << quotedNames(fault_names)
+                           << ", the list has " << quotedNames(namesIn(faults)) << ".");
+    parts_.push_back(makePart(faults.getEntry(name), joinPath(path_, name)));
   }
 }
 

@@ -14,7 +14,8 @@ namespace asperity
 class VertexDataset;
 
 // A quantity in space and time as decks give it: a number, an expression in x, y, z, t (muParser),
-// one of either per region, or an HDF5 dataset "file.h5:/dataset" with one value per global vertex.
+// one of either per region or, on faults, per fault, or an HDF5 dataset "file.h5:/dataset" with one
+// value per global vertex.
 // A copy shares the parsed expressions: evaluate from one host thread at a time.
 class Field
 {
@@ -25,27 +26,32 @@ public:
   // for a table in another unit than the field, and for a dataset not found. used: (num regions)
   // false where the field is never evaluated, so that a list need not name the region; empty if it
   // is used in all.
+  //
+  // fault_names: those of the faults on which the field lives. Its list may then name every one of
+  // them (part = index) instead of the regions. A list whose names are all regions is one of
+  // regions.
   Field(ParameterList const& list, std::string const& name, std::string const& path,
-        std::vector<std::string> const& region_names, std::vector<bool> const& used = {});
+        std::vector<std::string> const& region_names, std::vector<bool> const& used = {},
+        std::vector<std::string> const& fault_names = {});
 
   static Field constant(double value);
 
-  // x in m, t in s; `region` as in region_names, of no meaning unless the field is given per
-  // region. InputError with path, value and position if the value is not finite or outside the
-  // declared range, and for datasets.
-  double operator()(std::array<double, 3> const& x, double t, int region) const
+  // x in m, t in s; `part` is a region as in region_names, or a fault if isPerFault(), of no
+  // meaning unless the field is given by a list. InputError with path, value and position if the
+  // value is not finite or outside the declared range, and for datasets.
+  double operator()(std::array<double, 3> const& x, double t, int part) const
   {
     const double all = 1;
-    return (*this)(x, t, region, {&x, &all, 1});
+    return (*this)(x, t, part, {&x, &all, 1});
   }
   // With means over the patch.
-  double operator()(std::array<double, 3> const& x, double t, int region,
+  double operator()(std::array<double, 3> const& x, double t, int of_part,
                     Expression::Patch const& patch) const
   {
     if (parts_.empty()) {
       refuseDataset();
     }
-    Part const& part = parts_[parts_.size() == 1 ? 0 : static_cast<std::size_t>(region)];
+    Part const& part = parts_[parts_.size() == 1 ? 0 : static_cast<std::size_t>(of_part)];
     return part.expression ? evaluate(part, x, t, patch) : part.value;
   }
 
@@ -55,6 +61,7 @@ public:
                              long long num_vertices) const;
 
   bool isDataset() const { return dataset_ != nullptr; }
+  bool isPerFault() const { return is_per_fault_; } // whether its list names faults
 
   bool takesMeans() const;
   bool dependsOnTime() const;
@@ -72,6 +79,7 @@ private:
   Part makePart(Teuchos::ParameterEntry const& entry, std::string const& path) const;
   void readRegions(ParameterList const& regions, std::vector<std::string> const& region_names,
                    std::vector<bool> const& used);
+  void readFaults(ParameterList const& faults, std::vector<std::string> const& fault_names);
   double evaluate(Part const& part, std::array<double, 3> const& x, double t,
                   Expression::Patch const& patch) const;
   [[noreturn]] void refuseDataset() const;
@@ -80,7 +88,8 @@ private:
   Range range_ = Range::any();
   std::string hint_, unit_;
   Expression::Tables tables_;
-  std::vector<Part> parts_; // one, or one per region; none for a dataset
+  std::vector<Part> parts_; // one, or one per region or fault; none for a dataset
+  bool is_per_fault_ = false;
   std::shared_ptr<const VertexDataset> dataset_;
 };
 

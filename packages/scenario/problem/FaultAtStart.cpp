@@ -100,8 +100,7 @@ NormalStressOfDeck makeNormalStress(SetupContext<Dim> const& context,
   if (!isGiven(friction, "Normal Stress")) {
     return {constant(pressure), tensionAtStart(pressure, *context.site.surface)};
   }
-  const NodalField given(Field(friction, "Normal Stress", friction_path, nodes.region_names),
-                         nodes);
+  const NodalField given(friction, "Normal Stress", friction_path, nodes);
   auto const at_start = givenStress(given, nodes);
   if (!given.dependsOnTime()) {
     return {constant(at_start), {}};
@@ -154,7 +153,7 @@ dynamics::FaultProcesses enabledProcesses(LawChoice const& laws, ParameterList c
         return nodalValues(parameters, entry, path, nodes);
       };
       const auto in_time = [&](std::string const& entry) {
-        return functionOf({Field(parameters, entry, path, nodes.region_names), nodes});
+        return functionOf({parameters, entry, path, nodes});
       };
       result.push_back(processes.at(name).make(
         parameters, {*site.surface, mesh, nodes.places, values, in_time, path}));

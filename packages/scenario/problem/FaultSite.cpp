@@ -30,7 +30,7 @@ FaultSite makeFaultSite(DeckSettings const& settings, Discretisation<Dim> const&
 {
   auto const& mesh = discretisation.mesh;
   auto surface = makeSurface(discretisation, graph);
-  auto nodes = faultNodes(mesh, *surface);
+  auto nodes = faultNodes(mesh, *surface, discretisation.boundary.faults);
   auto materials = fem::materialsAtNodes(mesh, *surface, discretisation.rock.materials);
   auto eta =
     radiationDamping(settings.bulk, settings.lists.bulk, nodes, surface->otherSide(), materials);

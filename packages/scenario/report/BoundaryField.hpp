@@ -23,6 +23,6 @@ NodalField boundaryField(BoundaryCondition const& condition, std::string const& 
     some.push_back(vertices[i]);
   }
   const FieldNodes nodes(mesh, some);
-  return {{condition.list, entry, condition.name, nodes.region_names}, nodes};
+  return {condition.list, entry, condition.name, nodes};
 }
 } // namespace asperity::scenario

@@ -77,12 +77,32 @@ std::shared_ptr<const FieldSamples> samplesAround(Mesh<Dim> const& mesh,
   }
   return result;
 }
+// (num_nodes) the first of the faults that has the node.
+template <int Dim>
+std::vector<int> faultsOfNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
+                               std::vector<std::string> const& faults)
+{
+  constexpr int none = -1;
+  std::vector<int> result(surface.numNodes(), none);
+  for (std::size_t fault = 0; fault < faults.size(); ++fault) {
+    for (const int vertex : mesh::boundaryVertices(mesh, faults[fault])) {
+      const int node = surface.nodeAt(vertex);
+      if (node >= 0 && result[node] == none) {
+        result[node] = static_cast<int>(fault);
+      }
+    }
+  }
+  return result;
+}
 } // namespace
 
 template <int Dim>
-FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
+FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface,
+                      std::vector<std::string> const& faults)
 {
   FieldNodes nodes(mesh, surface.vertices());
+  nodes.fault_names = faults;
+  nodes.faults = faultsOfNodes(mesh, surface, faults);
   auto const made = std::make_shared<std::shared_ptr<const FieldSamples>>();
   nodes.samples = [made, &mesh, &surface] {
     if (*made == nullptr) {
@@ -93,6 +113,8 @@ FieldNodes faultNodes(Mesh<Dim> const& mesh, fem::FaultSurface const& surface)
   return nodes;
 }
 
-template FieldNodes faultNodes(Mesh<2> const&, fem::FaultSurface const&);
-template FieldNodes faultNodes(Mesh<3> const&, fem::FaultSurface const&);
+template FieldNodes faultNodes(Mesh<2> const&, fem::FaultSurface const&,
+                               std::vector<std::string> const&);
+template FieldNodes faultNodes(Mesh<3> const&, fem::FaultSurface const&,
+                               std::vector<std::string> const&);
 } // namespace asperity::scenario

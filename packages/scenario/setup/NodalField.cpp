@@ -31,9 +31,10 @@ std::vector<int> vertexRegions(Mesh<Dim> const& mesh)
 } // namespace
 
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
-                  std::vector<std::string> const& region_names, std::vector<bool> const& used)
+                  std::vector<std::string> const& region_names, std::vector<bool> const& used,
+                  std::vector<std::string> const& fault_names)
 {
-  Field field(list, name, path, region_names, used);
+  Field field(list, name, path, region_names, used, fault_names);
   ASPERITY_REQUIRE(!field.dependsOnTime(),
                    joinPath(path, name) << " depends on t, but it is read once, at t = 0. Remove t "
                                            "from the expression.");
@@ -75,11 +76,17 @@ NodalField::NodalField(Field field, FieldNodes const& nodes) : field_(std::move(
     values_ = field_.values(nodes.ids, nodes.num_global_vertices);
   } else {
     places_ = nodes.places;
-    regions_ = nodes.regions;
+    parts_ = field_.isPerFault() ? nodes.faults : nodes.regions;
     if (nodes.samples && field_.takesMeans()) {
       samples_ = nodes.samples();
     }
   }
+}
+
+NodalField::NodalField(ParameterList const& list, std::string const& name, std::string const& path,
+                       FieldNodes const& nodes)
+    : NodalField(Field(list, name, path, nodes.region_names, {}, nodes.fault_names), nodes)
+{
 }
 
 std::vector<double> NodalField::at(double t) const
@@ -89,8 +96,8 @@ std::vector<double> NodalField::at(double t) const
   }
   std::vector<double> values;
   for (std::size_t i = 0; i < places_.size(); ++i) {
-    values.push_back(samples_ ? field_(places_[i], t, regions_[i], samples_->around(i))
-                              : field_(places_[i], t, regions_[i]));
+    values.push_back(samples_ ? field_(places_[i], t, parts_[i], samples_->around(i))
+                              : field_(places_[i], t, parts_[i]));
   }
   return values;
 }
@@ -98,7 +105,8 @@ std::vector<double> NodalField::at(double t) const
 std::vector<double> nodalValues(ParameterList const& list, std::string const& name,
                                 std::string const& path, FieldNodes const& nodes)
 {
-  return NodalField(steadyField(list, name, path, nodes.region_names), nodes).at(0);
+  return NodalField(steadyField(list, name, path, nodes.region_names, {}, nodes.fault_names), nodes)
+    .at(0);
 }
 
 template <int Dim>

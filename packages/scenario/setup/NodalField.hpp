@@ -37,6 +37,8 @@ struct FieldNodes
   std::vector<std::array<double, 3>> places; // (num_nodes) [m] as expressions see them
   std::vector<int> regions;                  // (num_nodes) of the first cell that has the vertex
   std::vector<long long> ids;                // (num_nodes) global ones
+  std::vector<std::string> fault_names = {}; // if the nodes are those of faults
+  std::vector<int> faults = {};              // (num_nodes) with fault_names: that of each node
   // Makes the points for mean(f) in expressions. If it is empty, mean(f) is f at the nodes.
   std::function<std::shared_ptr<const FieldSamples>()> samples = {};
 };
@@ -46,6 +48,9 @@ class NodalField
 {
 public:
   NodalField(Field field, FieldNodes const& nodes);
+  // The entry `name` of the list that stands at `path`, see Field.
+  NodalField(ParameterList const& list, std::string const& name, std::string const& path,
+             FieldNodes const& nodes);
 
   bool dependsOnTime() const { return field_.dependsOnTime(); }
   // (num_nodes) values at the time t [s]. InputError outside the declared range.
@@ -54,7 +59,7 @@ public:
 private:
   Field field_;
   std::vector<std::array<double, 3>> places_;
-  std::vector<int> regions_;
+  std::vector<int> parts_; // of the nodes: regions or faults, whichever the field's list names
   std::shared_ptr<const FieldSamples> samples_; // null: no means
   std::vector<double> values_;                  // of a dataset
 };
@@ -65,9 +70,10 @@ std::vector<double> nodalValues(ParameterList const& list, std::string const& na
                                 std::string const& path, FieldNodes const& nodes);
 
 // A field that is evaluated once, at time zero. Throws InputError if it depends on time.
-// region_names: the regions of the mesh; used: as Field has it.
+// region_names: the regions of the mesh; used, fault_names: as Field has them.
 Field steadyField(ParameterList const& list, std::string const& name, std::string const& path,
-                  std::vector<std::string> const& region_names, std::vector<bool> const& used = {});
+                  std::vector<std::string> const& region_names, std::vector<bool> const& used = {},
+                  std::vector<std::string> const& fault_names = {});
 
 // A point as expressions see it: z is 0 in the plane.
 template <int Dim>

@@ -21,9 +21,13 @@ class Crossing(unittest.TestCase):
         return self.slip_in(folder)
 
     @staticmethod
-    def slip_in(folder):
+    def field_in(folder, name):
+        """Places, and a field at the end."""
         history = asperity_run.series(folder / "fault.h5")
-        return history["geometry/coordinates"], history["fields/slip"][-1].ravel()
+        return history["geometry/coordinates"], history[f"fields/{name}"][-1].ravel()
+
+    def slip_in(self, folder):
+        return self.field_in(folder, "slip")
 
     def assert_same(self, expected, found):
         numpy.testing.assert_array_equal(found[0], expected[0])
@@ -38,6 +42,32 @@ class Crossing(unittest.TestCase):
         self.assertEqual(there.sum(), 2)
         self.assertGreater(slip[there].min(), 0.5 * slip.max())
         self.assertGreater(slip.min(), -1e-12)
+
+    def test_values_by_the_names_of_faults(self):
+        """Also at the crossing, where a formula has one value for both faults."""
+        history = {"Output/Fault History/Fields": "{normal_stress}",
+                   "Time Stepping/Final Time": 1e-3, "Time Stepping/Largest Step": 1e-3,
+                   "Time Stepping/Smallest Step": 1e-3}
+        for ranks in (1, 2):
+            folder = asperity_run.run_to_end("by_name", DECK, *CROSSING, *settings(
+                {"Friction/Normal Stress/upright": 1e5, "Friction/Normal Stress/level": "2e5 + x",
+                 **history}), ranks=ranks)
+            places, stress = self.field_in(folder, "normal_stress")
+            there = (places == [2000., 2000.]).all(axis=1)
+            self.assertEqual(sorted(stress[there]), [1e5, 2.02e5])
+            on_upright = places[:, 0] == 2000.
+            numpy.testing.assert_array_equal(stress[on_upright & ~there], 1e5)
+            numpy.testing.assert_allclose(stress[~on_upright], 2e5 + places[~on_upright, 0])
+
+    def test_a_list_of_names_that_is_wrong(self):
+        for name, message in (("levle", "'levle' is neither a region of the mesh nor a fault. Did "
+                                        "you mean 'level'?"),
+                              ("upright", "has no value for the fault 'level'")):
+            result = asperity_run.run(DECK, *CROSSING, *settings(
+                {f"Friction/a/{name}": 0.01}), "--validate")
+            self.assertEqual(result.returncode, 2)
+            self.assertIn("Asperity / Friction / a", result.stderr)
+            self.assertIn(message, result.stderr)
 
     def test_ranks(self):
         for more in ((), ("--set", "Mesh/Refinements=2")):

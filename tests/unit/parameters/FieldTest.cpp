@@ -128,6 +128,44 @@ TEST(Field, ValuePerRegion)
   EXPECT_TRUE(field.dependsOnTime());
 }
 
+TEST(Field, ValuePerFault)
+{
+  const std::vector<std::string> faults = {"main", "splay", "lower"};
+  ParameterList list;
+  list.sublist("a").set("splay", std::string("1 + t")).set("main", 7).set("lower", 2.0);
+  const Field field(list, "a", "Friction", regions, {}, faults);
+  EXPECT_TRUE(field.isPerFault());
+  EXPECT_EQ(field(origin, 2.0, 0), 7.0);
+  EXPECT_EQ(field(origin, 2.0, 1), 3.0);
+  EXPECT_EQ(field(origin, 2.0, 2), 2.0);
+  // A list whose names are all regions is one of regions.
+  ParameterList of_regions;
+  of_regions.sublist("a").set("lower", 4.0).set("upper", 5.0);
+  const Field per_region(of_regions, "a", "Friction", regions, {}, faults);
+  EXPECT_FALSE(per_region.isPerFault());
+  EXPECT_EQ(per_region(origin, 0, 0), 5.0);
+  EXPECT_EQ(per_region(origin, 0, 1), 4.0);
+}
+
+TEST(Field, FaultsMustBeThoseOfTheModel)
+{
+  const auto refused = [](std::vector<std::string> const& names) {
+    ParameterList list;
+    for (auto const& name : names) {
+      list.sublist("a").set(name, 1.0);
+    }
+    return refusal([&] { Field(list, "a", "Friction", regions, {}, {"main", "splay"}); });
+  };
+  expectParts(refused({"main", "spaly"}),
+              {"Friction / a / spaly: 'spaly' is neither a region of the mesh nor a fault.",
+               "Did you mean 'splay'?"});
+  expectParts(refused({"main"}), {"Friction / a has no value for the fault 'splay'",
+                                  "has the faults 'main', 'splay', the list has 'main'"});
+  expectParts(refused({"main", "splay", "upper"}),
+              {"Friction / a names regions and faults", "each region, 'upper', 'lower'"});
+  expectParts(refused({"upper"}), {"no value for the region 'lower'"});
+}
+
 TEST(Field, CopiesGiveTheSameValues)
 {
   const Field field = expression("x + t");

@@ -55,6 +55,58 @@ TEST(FaultLoads, AreMeansWhereTheDeckSaysSo)
   expectNear(tractionAt(problem, 0), {100, 71.875, 6.25});
 }
 
+namespace
+{
+// Two faults end to end along y = 1, which meet at x = 1, under shear tractions by their names.
+ParameterList endToEnd(std::function<void(ParameterList&)> const& setTractions)
+{
+  return strip([&](ParameterList& deck) {
+    auto& conditions = deck.sublist("Boundary Conditions");
+    conditions.sublist("Fault").set("Boundary", "west").set("Type", "Two-Sided Fault");
+    conditions.sublist("Other").set("Boundary", "east").set("Type", "Two-Sided Fault");
+    for (std::string const side : {"top", "bottom"}) {
+      conditions.sublist(side).set("Boundary", side).set("Type", "Fixed");
+    }
+    deck.sublist("Mesh").sublist("Faults").set("east", "abs(y - 1) < 1e-6 && x > 0.99");
+    deck.sublist("Mesh").sublist("Faults").set("west", "abs(y - 1) < 1e-6 && x < 1.01");
+    deck.sublist("Bulk").set("Dynamics", "Quasi-dynamic");
+    setTractions(deck.sublist("Friction").sublist("Shear Traction"));
+  });
+}
+} // namespace
+
+// The node that both faults have is one of the first fault of the deck.
+TEST(FaultLoads, MayBeGivenForEachFault)
+{
+  auto const problem = makeProblem<2>(
+    endToEnd([](ParameterList& tractions) { tractions.set("west", 100.).set("east", "300 + x"); }),
+    world());
+  auto const tractions = tractionAt(problem, 0);
+  ASSERT_EQ(tractions.size(), 3u);
+  for (int i = 0; i < problem.surface().numNodes(); ++i) {
+    const double x = problem.surface()[i].place[0];
+    EXPECT_NEAR(tractions[i], x > 1.5 ? 302 : 100, 1e-10) << x;
+  }
+}
+
+TEST(FaultLoads, GivenForEachFaultNameAllOfThem)
+{
+  const auto refused = [](std::vector<std::string> const& names) {
+    return refusal([&] {
+      makeProblem<2>(endToEnd([&](ParameterList& tractions) {
+                       for (auto const& name : names) {
+                         tractions.set(name, 100.);
+                       }
+                     }),
+                     world());
+    });
+  };
+  expectParts(refused({"west"}), {"Friction / Shear Traction has no value for the fault 'east'"});
+  expectParts(refused({"west", "aest"}),
+              {"Friction / Shear Traction / aest: 'aest' is neither a region of the mesh nor a "
+               "fault. Did you mean 'east'?"});
+}
+
 TEST(FaultLoads, KeepGravityBesideATractionInTime)
 {
   auto const problem = makeProblem<2>(

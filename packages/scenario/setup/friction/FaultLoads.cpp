@@ -29,7 +29,7 @@ std::vector<double> const& slipDirection(FrictionSettings const& settings)
 ShearTraction::ShearTraction(FrictionSettings const& settings, ParameterList const& friction,
                              FieldNodes const& nodes, fem::FaultSurface const& surface,
                              fem::NodalFrames const& frames)
-    : size_(Field(friction, "Shear Traction", friction_path, nodes.region_names), nodes)
+    : size_(friction, "Shear Traction", friction_path, nodes)
 {
   if (nodes.dimension == 2) {
     direction_.assign(surface.numNodes(), 1.);

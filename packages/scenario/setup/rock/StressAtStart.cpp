@@ -160,9 +160,7 @@ warnOfStressAtStart(ParameterList const& bulk, ParameterList const& friction, in
                     : normal;
     }
     if (isGiven(friction, "Normal Stress")) {
-      normal =
-        NodalField(Field(friction, "Normal Stress", friction_path, nodes.region_names), nodes)
-          .at(0);
+      normal = NodalField(friction, "Normal Stress", friction_path, nodes).at(0);
     }
   });
   auto const touches_rock = verticesOfYieldingRock(mesh, rock);
