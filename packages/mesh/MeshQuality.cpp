@@ -29,6 +29,17 @@ double smallestAngle(GlobalMesh<Dim> const& mesh, typename GlobalMesh<Dim>::Cell
   }
   return smallest;
 }
+template <int Dim>
+Point<Dim> meanOf(std::vector<Point<Dim>> const& points)
+{
+  Point<Dim> mean{};
+  for (auto const& point : points) {
+    for (int d = 0; d < Dim; ++d) {
+      mean[d] += point[d] / static_cast<double>(points.size());
+    }
+  }
+  return mean;
+}
 } // namespace
 
 template <template <int> class AnyMesh, int Dim>
@@ -43,19 +54,32 @@ std::vector<double> cellDiameters(AnyMesh<Dim> const& mesh)
 }
 
 template <int Dim>
-CellSizes cellSizes(GlobalMesh<Dim> const& mesh)
+CellSizes<Dim> cellSizes(GlobalMesh<Dim> const& mesh)
 {
   const auto all = cellDiameters(mesh);
-  CellSizes sizes;
+  CellSizes<Dim> sizes;
   if (all.empty()) {
     return sizes;
   }
   sizes.smallest_diameter = *std::min_element(all.begin(), all.end());
   sizes.largest_diameter = *std::max_element(all.begin(), all.end());
   sizes.smallest_angle = std::acos(-1.0);
+  sizes.shortest_edge = std::numeric_limits<double>::infinity();
   for (auto const& cell : mesh.cells) {
-    sizes.measure += signedMeasure(corners(mesh, cell));
-    sizes.smallest_angle = std::min(sizes.smallest_angle, smallestAngle(mesh, cell));
+    const auto points = corners(mesh, cell);
+    sizes.measure += signedMeasure(points);
+    if (const double angle = smallestAngle(mesh, cell); angle < sizes.smallest_angle) {
+      sizes.smallest_angle = angle;
+      sizes.place_of_smallest_angle = meanOf<Dim>({points.begin(), points.end()});
+    }
+    for (int i = 0; i <= Dim; ++i) {
+      for (int j = 0; j < i; ++j) {
+        if (const double edge = distance<Dim>(points[i], points[j]); edge < sizes.shortest_edge) {
+          sizes.shortest_edge = edge;
+          sizes.place_of_shortest_edge = meanOf<Dim>({points[i], points[j]});
+        }
+      }
+    }
   }
   return sizes;
 }
@@ -111,8 +135,8 @@ ASPERITY_INSTANTIATE(Mesh, 2)
 ASPERITY_INSTANTIATE(Mesh, 3)
 #undef ASPERITY_INSTANTIATE
 
-template CellSizes cellSizes(GlobalMesh<2> const&);
-template CellSizes cellSizes(GlobalMesh<3> const&);
+template CellSizes<2> cellSizes(GlobalMesh<2> const&);
+template CellSizes<3> cellSizes(GlobalMesh<3> const&);
 template double shortestEdge(GlobalMesh<2> const&, std::string const&);
 template double shortestEdge(GlobalMesh<3> const&, std::string const&);
 } // namespace asperity::mesh

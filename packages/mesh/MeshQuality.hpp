@@ -9,15 +9,19 @@ namespace asperity::mesh
 template <template <int> class AnyMesh, int Dim>
 std::vector<double> cellDiameters(AnyMesh<Dim> const& mesh);
 
+template <int Dim>
 struct CellSizes
 {
-  double smallest_diameter = 0.0; // m
-  double largest_diameter = 0.0;  // m
-  double smallest_angle = 0.0;    // rad; between edges in 2D, between faces in 3D
-  double measure = 0.0;           // m^2 or m^3, all cells together
+  double smallest_diameter = 0.0;       // m
+  double largest_diameter = 0.0;        // m
+  double smallest_angle = 0.0;          // rad; between edges in 2D, between faces in 3D
+  Point<Dim> place_of_smallest_angle{}; // m, the centroid of the first cell that has it
+  double shortest_edge = 0.0;           // m
+  Point<Dim> place_of_shortest_edge{};  // m, the middle of the first edge that has it
+  double measure = 0.0;                 // m^2 or m^3, all cells together
 };
 template <int Dim>
-CellSizes cellSizes(GlobalMesh<Dim> const& mesh);
+CellSizes<Dim> cellSizes(GlobalMesh<Dim> const& mesh);
 
 // The names of the boundaries, sorted.
 template <class AnyMesh>

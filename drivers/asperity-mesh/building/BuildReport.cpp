@@ -10,8 +10,10 @@
 #include "mesh/SimplexGeometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -135,6 +137,33 @@ std::vector<CellAngle> smallestAngles(GlobalMesh<3> const& mesh, std::size_t num
   return angles;
 }
 
+EdgeLengths edgeLengths(GlobalMesh<3> const& mesh, double bound)
+{
+  std::vector<std::array<int, 2>> edges;
+  edges.reserve(6 * mesh.cells.size());
+  for (auto const& cell : mesh.cells) {
+    for (std::size_t i = 0; i < cell.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        edges.push_back({std::min(cell[i], cell[j]), std::max(cell[i], cell[j])});
+      }
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  EdgeLengths result;
+  result.number = edges.size();
+  result.shortest.length = std::numeric_limits<double>::infinity();
+  for (auto const& [first, second] : edges) {
+    auto const &a = mesh.vertices[first], &b = mesh.vertices[second];
+    const EdgeLengths::Edge edge = {mesh::distance<3>(a, b),
+                                    {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2}};
+    result.num_longer += edge.length > bound ? 1 : 0;
+    result.shortest = edge.length < result.shortest.length ? edge : result.shortest;
+    result.longest = edge.length > result.longest.length ? edge : result.longest;
+  }
+  return result;
+}
+
 void report(Arranged const& arranged, Model const& model, std::ostream& out)
 {
   std::vector<std::vector<Triangle>> of_surface(model.surfaces.size());
@@ -180,7 +209,7 @@ void report(CellEstimate const& expected, std::ostream& out)
       << " vertices, accurate to a factor of " << estimate_factor << std::endl;
 }
 
-void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out)
+void report(GlobalMesh<3> const& mesh, Model const& model, double largest, std::ostream& out)
 {
   for (int s = 0; s < model.num_faults; ++s) {
     auto const& facets = mesh.boundaries.at(model.name(s));
@@ -197,5 +226,14 @@ void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out)
         << ';';
   }
   out << '\n';
+  const auto edges = edgeLengths(mesh, largest);
+  out << "shortest edge: " << formatShort(edges.shortest.length) << " m at "
+      << placeText(edges.shortest.place) << "\nlongest edge: " << formatShort(edges.longest.length)
+      << " m at " << placeText(edges.longest.place) << '\n';
+  if (edges.num_longer > 0) {
+    out << edges.num_longer << " of " << edges.number
+        << " edges are longer than Largest = " << formatShort(largest) << " m, by up to "
+        << formatted("%.0f", 100 * (edges.longest.length / largest - 1)) << " %\n";
+  }
 }
 } // namespace asperity::geometry

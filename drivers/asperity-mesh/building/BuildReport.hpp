@@ -40,6 +40,21 @@ struct CellAngle
 };
 std::vector<CellAngle> smallestAngles(GlobalMesh<3> const& mesh, std::size_t number);
 
+// The edges of cells, each once.
+struct EdgeLengths
+{
+  // An edge by its length [m] and its middle.
+  struct Edge
+  {
+    double length = 0;
+    Point<3> place{};
+  };
+  Edge shortest, longest;
+  std::size_t number = 0, num_longer = 0; // of all, and of those that are longer than the bound
+};
+// bound: [m]. The mesh must have a cell.
+EdgeLengths edgeLengths(GlobalMesh<3> const& mesh, double bound);
+
 // Reports the arrangement: faults, removed pieces with the reasons, junctions of faults, the
 // smallest angle and the shortest curve.
 void report(Arranged const& arranged, Model const& model, std::ostream& out);
@@ -50,7 +65,7 @@ std::string about(double value);
 // Reports the expected numbers of cells and vertices.
 void report(CellEstimate const& expected, std::ostream& out);
 
-// Reports the facets of faults, and the cells with the smallest angles; the mesh may be split or
-// not.
-void report(GlobalMesh<3> const& mesh, Model const& model, std::ostream& out);
+// Reports the facets of faults, the cells with the smallest angles, the shortest edge, and those
+// longer than `largest` [m], the size of cells that the deck wants; the mesh may be split or not.
+void report(GlobalMesh<3> const& mesh, Model const& model, double largest, std::ostream& out);
 } // namespace asperity::geometry

@@ -134,7 +134,7 @@ void buildFile(BuildSettings const& settings, Files const& files, bool is_dry,
     return;
   }
   auto mesh = meshArranged(arranged, settings, size, reportProgress);
-  report(mesh, settings.model, std::cout);
+  report(mesh, settings.model, settings.largest, std::cout);
   if (const auto touching = mesh::touchingFacets(mesh)) {
     warn("'" + files.mesh + "': " + mesh::sentence(*touching));
   }

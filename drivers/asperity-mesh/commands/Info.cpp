@@ -62,8 +62,10 @@ void printSizes(GlobalMesh<Dim> const& mesh)
   std::cout << (Dim == 2 ? "area             " : "volume           ") << formatShort(sizes.measure)
             << (Dim == 2 ? " m^2\n" : " m^3\n") << "cell diameters   "
             << formatShort(sizes.smallest_diameter) << " to " << formatShort(sizes.largest_diameter)
-            << " m\nsmallest angle   " << formatShort(sizes.smallest_angle * 180 / std::acos(-1.))
-            << " degrees\n";
+            << " m\nshortest edge    " << formatShort(sizes.shortest_edge) << " m at "
+            << mesh::text(sizes.place_of_shortest_edge) << " m\nsmallest angle   "
+            << formatShort(sizes.smallest_angle * 180 / std::acos(-1.)) << " degrees at "
+            << mesh::text(sizes.place_of_smallest_angle) << " m\n";
 }
 
 template <int Dim>

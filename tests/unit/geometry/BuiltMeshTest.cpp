@@ -43,6 +43,20 @@ TEST(Built, PlaneUnderSinusoidalGround)
   EXPECT_NEAR(volumeOf(mesh), volume, 1e-3 * volume); // waves of the ground cancel
 }
 
+TEST(Built, EdgesAreCountedOnceAndComparedWithABound)
+{
+  asperity::GlobalMesh<3> mesh;
+  mesh.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {0, 0, 12}, {0, 0, -1}};
+  mesh.cells = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+  const auto edges = edgeLengths(mesh, 12);
+  EXPECT_EQ(edges.number, 9u);
+  EXPECT_EQ(edges.num_longer, 2u); // from the top to the points on x and y; one has 12 m
+  EXPECT_DOUBLE_EQ(edges.shortest.length, 1);
+  EXPECT_EQ(edges.shortest.place, (Point<3>{0, 0, -0.5}));
+  EXPECT_DOUBLE_EQ(edges.longest.length, std::sqrt(160.));
+  EXPECT_EQ(edges.longest.place, (Point<3>{0, 2, 6}));
+}
+
 // Two faults of which one ends at the other, all the way to a mesh that is split.
 TEST(Built, JointIsSplit)
 {

@@ -119,6 +119,7 @@ class Build(unittest.TestCase):
         self.assertRegex(result.stdout, r"fault 'main': \d+ facets, 200 km\^2")
         self.assertRegex(result.stdout, r"fault 'branch': \d+ facets, 85\.13\d* km\^2")
         self.assertIn("faults 'main' and 'branch' meet along", result.stdout)
+        self.compare_edges(result.stdout)
         info = run(MESH, "info", "built.h5").stdout
         for name in ("west", "east", "south", "north", "bottom", "surface"):
             self.assertIn(f"boundary         {name}: ", info)
@@ -132,6 +133,19 @@ class Build(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         self.assertIn("run.xml is valid.", result.stdout)
         self.compare_with_forecast(result.stdout)
+
+    def compare_edges(self, printed):
+        """The report of edges with that of `info`, and with `Largest`."""
+        shortest = re.search(r"^shortest edge: (\S+) m at ", printed, re.MULTILINE)[1]
+        self.assertIn(f"shortest edge    {shortest} m at (", run(MESH, "info", "built.h5").stdout)
+        longest = float(re.search(r"^longest edge: (\S+) m at ", printed, re.MULTILINE)[1])
+        longer = re.search(r"^(\d+) of (\d+) edges are longer than Largest = 10000 m, by up to "
+                           r"(\d+) %$", printed, re.MULTILINE)
+        self.assertEqual(longest > 10e3, longer is not None)
+        if longer:
+            self.assertLess(0, int(longer[1]))
+            self.assertLess(int(longer[1]), int(longer[2]))
+            self.assertAlmostEqual(int(longer[3]), 100 * (longest / 10e3 - 1), delta=0.51)
 
     def compare_with_forecast(self, validated):
         """What --deck says before the mesh is made with what the main program says of it."""

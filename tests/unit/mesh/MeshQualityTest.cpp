@@ -18,6 +18,20 @@ TEST(MeshQuality, SizesOfSquareAndCube)
   EXPECT_NEAR(solid.measure, 1.0, 1e-15);
 }
 
+TEST(MeshQuality, NamesThePlacesOfTheSmallestAngleAndTheShortestEdge)
+{
+  auto mesh = square(); // cells of the corners 0, 1, 2 and 0, 2, 3
+  mesh.vertices[3] = {0.0, 0.5};
+  const auto sizes = cellSizes(mesh);
+  EXPECT_DOUBLE_EQ(sizes.shortest_edge, 0.5);
+  EXPECT_DOUBLE_EQ(sizes.place_of_shortest_edge[0], 0);
+  EXPECT_DOUBLE_EQ(sizes.place_of_shortest_edge[1], 0.25);
+  // At (1, 1) between the edges to (0, 0.5) and (0, 0).
+  EXPECT_NEAR(sizes.smallest_angle, std::atan(1.0) - std::atan(0.5), 1e-14);
+  EXPECT_NEAR(sizes.place_of_smallest_angle[0], 1.0 / 3, 1e-15);
+  EXPECT_NEAR(sizes.place_of_smallest_angle[1], 0.5, 1e-15);
+}
+
 TEST(MeshQuality, DiametersAreLongestEdges)
 {
   auto mesh = square();

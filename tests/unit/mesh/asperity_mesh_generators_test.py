@@ -41,7 +41,8 @@ class PlaneMeshes(mesh_tool.Case):
                          "--cell-size", "100 + 0.2 * (x + 800)")
         info = self.assert_done("info", "graded.h5")
         self.assertIn("bounding box     [-800, 800] x [-3200, 0] m\n", info)
-        self.assertIn("smallest angle   45 degrees\n", info)
+        self.assertRegex(info, r"smallest angle   45 degrees at \(.*\) m\n")
+        self.assertRegex(info, r"shortest edge    [0-9.]+ m at \(-[0-9.]+, .*\) m\n")
         self.assertIn("left: 32 facets, 33 vertices, shortest edge 100 m\n", info)
         self.assertIn("right: 8 facets, 9 vertices, shortest edge 400 m\n", info)
 
@@ -104,7 +105,7 @@ class SolidMeshes(mesh_tool.Case):
         info = self.assert_done("info", "graded.h5")
         self.assertIn("bounding box     [-800, 800] x [-3200, 0] x [0, 1600] m\n", info)
         self.assertIn("volume           8.192e+09 m^3\n", info)
-        self.assertIn("smallest angle   45 degrees\n", info)
+        self.assertRegex(info, r"smallest angle   45 degrees at \(.*\) m\n")
         self.assertIn("left: 1024 facets, 561 vertices, shortest edge 100 m\n", info)
 
     def test_periodic_box(self):
