@@ -2,6 +2,7 @@
 
 #include "base/Archive.hpp"
 #include "base/Types.hpp"
+#include "base/Warning.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputDomain.hpp"
 #include "parameters/Kind.hpp"
@@ -72,6 +73,10 @@ public:
   // a paragraph for the report at the end of the run.
   virtual std::optional<std::int64_t> numEvents() const { return {}; }
   virtual std::string report() const { return ""; }
+
+  // Lines and warnings for the log at the start of the run. Called once, after the construction.
+  virtual std::vector<std::string> notes() const { return {}; }
+  virtual std::vector<Warning> warnings() const { return {}; }
 
   // Defaults for a kind of output, which a class replaces by static functions of the same names:
   // the domain without which the output is left out ("" means it is never left out), and its files,

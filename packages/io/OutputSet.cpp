@@ -187,4 +187,24 @@ std::string OutputSet::report() const
   }
   return text;
 }
+
+std::vector<std::string> OutputSet::notes() const
+{
+  std::vector<std::string> notes;
+  for (auto const& entry : entries_) {
+    auto const more = entry.output->notes();
+    notes.insert(notes.end(), more.begin(), more.end());
+  }
+  return notes;
+}
+
+std::vector<Warning> OutputSet::warnings() const
+{
+  std::vector<Warning> warnings;
+  for (auto const& entry : entries_) {
+    auto const more = entry.output->warnings();
+    warnings.insert(warnings.end(), more.begin(), more.end());
+  }
+  return warnings;
+}
 } // namespace asperity::io

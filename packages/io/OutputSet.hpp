@@ -58,9 +58,12 @@ public:
   };
   std::vector<LeftOut> const& leftOut() const { return left_out_; }
 
-  // The events of the first output that counts them, and the reports of all outputs, see Output.
+  // The events of the first output that counts them, and the reports, notes and warnings of all
+  // outputs, see Output.
   std::optional<std::int64_t> numEvents() const;
   std::string report() const;
+  std::vector<std::string> notes() const;
+  std::vector<Warning> warnings() const;
 
 private:
   struct Entry

@@ -7,6 +7,8 @@
 #include "io/series/SeriesLayout.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace asperity::catalogue
@@ -16,6 +18,7 @@ namespace
 // How far from the domain a receiver may lie, as a share of the element's size: coordinates on an
 // inclined fault or surface are rounded.
 constexpr double reach = 0.01;
+constexpr double rounding = 1e-6; // as above; what is less is no move
 
 std::string pointText(std::vector<double> const& point) { return formatPoint(point, formatNumber); }
 
@@ -35,69 +38,101 @@ std::string extentText(io::OutputDomain const& domain)
   return "from " + pointText(least) + " to " + pointText(largest) + " m";
 }
 
-// Files are named after receivers.
-void requireFileName(std::string const& path, std::string const& name)
+// "mesh" or "fault", for messages.
+std::string domainText(io::OutputDomain const& domain)
 {
-  ASPERITY_REQUIRE(!name.empty() && name.find('/') == std::string::npos,
-                   path << ": a receiver cannot be called '" << name
-                        << "', because files are named after it. Choose a name without '/'.");
+  return domain.nodes_per_element == domain.dimension + 1 ? "mesh" : domain.name;
 }
 
-void requireNear(std::string const& path, NamedPlace const& place, LocatedPoint const& located,
-                 io::OutputDomain const& domain)
+// Files are named after receivers.
+void requireFileName(NamedPlace const& place)
+{
+  ASPERITY_REQUIRE(!place.name.empty() && place.name.find('/') == std::string::npos,
+                   joinPath(receivers_path, place.list)
+                     << ": a receiver cannot be called '" << place.name
+                     << "', because files are named after it. Choose a name without '/'.");
+}
+
+// "87.5 m below it"
+std::string riseText(GroundPoint const& point, std::string const& what)
+{
+  return formatShort(std::abs(point.rise)) + " m " + (point.rise < 0 ? "below " : "above ") + what;
+}
+
+// "The free surface there is at (0, 0, 312.5) m, 87.5 m below it: ..."; empty without ground above
+// or below the place. Collective.
+std::string groundText(std::vector<double> const& point, Ground const* ground)
+{
+  auto const found = ground ? (*ground)(point).front() : std::nullopt;
+  if (!found) {
+    return "";
+  }
+  return " The free surface there is at " + pointText(found->coordinates) + " m, " +
+         riseText(*found, "it") + "; the list " + on_ground_list + " moves receivers there.";
+}
+
+// point: of the place, with all coordinates. Collective.
+void requireNear(NamedPlace const& place, std::vector<double> const& point,
+                 LocatedPoint const& located, io::OutputDomain const& domain, Ground const* ground)
 {
   if (located.distance <= reach * located.element_size) {
     return;
   }
-  const bool is_volume = domain.nodes_per_element == domain.dimension + 1;
-  const std::string where = is_volume ? "mesh" : domain.name;
-  throw InputError(path + " / " + place.name + " = " + pointText(place.coordinates) + " is " +
-                   formatShort(located.distance) + " m outside of the " + where +
+  throw InputError(place.path() + " = " + pointText(place.coordinates) + " is " +
+                   formatShort(located.distance) + " m outside of the " + domainText(domain) +
                    ", whose coordinates go " + extentText(domain) +
                    "; its nearest element has a size of " + formatShort(located.element_size) +
                    " m. A receiver may be at most " + formatShort(reach * located.element_size) +
-                   " m outside.");
+                   " m outside." + groundText(point, ground));
 }
-} // namespace
 
-namespace
-{
 // The coordinates of a place in the deck, which on a curve may be given as a distance along it.
-std::vector<double> pointOf(std::string const& path, NamedPlace const& place,
-                            io::OutputDomain const& domain)
+std::vector<double> pointOf(NamedPlace const& place, io::OutputDomain const& domain)
 {
   auto const& given = place.coordinates;
   if (given.size() == 1 && domain.isCurve()) {
     auto const point = pointAlong(domain, given.front());
-    ASPERITY_REQUIRE(point, path << " / " << place.name << ": the " << domain.name
-                                 << " is not as long as " << formatShort(given.front())
-                                 << " m; its coordinates go " << extentText(domain) << ".");
+    ASPERITY_REQUIRE(point, place.path() << ": the " << domain.name << " is not as long as "
+                                         << formatShort(given.front()) << " m; its coordinates go "
+                                         << extentText(domain) << ".");
     return {point->begin(), point->end()};
   }
   ASPERITY_REQUIRE(static_cast<int>(given.size()) == domain.dimension,
-                   path << " / " << place.name << " has " << given.size()
-                        << " coordinates; a position in this mesh has " << domain.dimension
-                        << (domain.isCurve() ? ", or one, the distance along the " + domain.name +
-                                                 " from its upper end."
-                                             : "."));
+                   place.path() << " has " << given.size()
+                                << " coordinates; a position in this mesh has " << domain.dimension
+                                << (domain.isCurve() ? ", or one, the distance along the " +
+                                                         domain.name + " from its upper end."
+                                                     : "."));
   return given;
+}
+
+// "'a', 'b' and 17 more": at most ten of the texts.
+std::string firstOf(std::vector<std::string> const& texts)
+{
+  constexpr std::size_t most = 10;
+  std::string result;
+  for (std::size_t i = 0; i < std::min(most, texts.size()); ++i) {
+    result += (i == 0 ? "" : ", ") + texts[i];
+  }
+  return texts.size() <= most ? result
+                              : result + " and " + std::to_string(texts.size() - most) + " more";
 }
 } // namespace
 
-ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> const& places,
-                             io::OutputDomain const& domain)
+ReceiverGroup::ReceiverGroup(std::vector<NamedPlace> const& places, io::OutputDomain const& domain,
+                             Ground const* ground)
     : domain_(domain)
     , places_(places)
 {
-  std::vector<double> wanted;
-  for (auto const& place : places) {
-    requireFileName(path, place.name);
-    auto const point = pointOf(path, place, domain);
-    wanted.insert(wanted.end(), point.begin(), point.end());
-  }
+  const auto wanted = wantedPoints(ground);
   const auto located = locate(domain, wanted);
+  const auto dimension = static_cast<std::ptrdiff_t>(domain.dimension);
   for (std::size_t i = 0; i < located.size(); ++i) {
-    requireNear(path, places[i], located[i], domain);
+    auto const first = wanted.begin() + static_cast<std::ptrdiff_t>(i) * dimension;
+    requireNear(places[i], {first, first + dimension}, located[i], domain, ground);
+    if (located[i].distance > rounding * located[i].element_size) {
+      projected_[i] = located[i].distance;
+    }
     coordinates_.insert(coordinates_.end(), located[i].coordinates.begin(),
                         located[i].coordinates.end());
   }
@@ -106,6 +141,84 @@ ReceiverGroup::ReceiverGroup(std::string const& path, std::vector<NamedPlace> co
   if (domain.isCurve()) {
     positions_ = (*sampling_)(domain.positions, 1);
   }
+}
+
+// (num_receivers, dimension) [m], those on the ground moved there. Collective.
+std::vector<double> ReceiverGroup::wantedPoints(Ground const* ground)
+{
+  std::vector<NamedPlace> moved;
+  std::copy_if(places_.begin(), places_.end(), std::back_inserter(moved),
+               [](auto const& place) { return place.isOnGround(); });
+  auto const on_ground = pointsOnGround(moved, ground);
+  std::vector<double> wanted;
+  auto next = on_ground.begin();
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    requireFileName(places_[i]);
+    auto point = std::vector<double>();
+    if (places_[i].isOnGround()) {
+      point = next->coordinates;
+      on_ground_[i] = *next++;
+    } else {
+      point = pointOf(places_[i], domain_);
+    }
+    wanted.insert(wanted.end(), point.begin(), point.end());
+  }
+  return wanted;
+}
+
+std::vector<double> ReceiverGroup::pointOnDomain(std::size_t receiver) const
+{
+  auto const first =
+    coordinates_.begin() + static_cast<std::ptrdiff_t>(receiver) * domain_.dimension;
+  return {first, first + domain_.dimension};
+}
+
+bool ReceiverGroup::hasHeight(std::size_t receiver) const
+{
+  return places_[receiver].coordinates.size() == static_cast<std::size_t>(domain_.dimension);
+}
+
+std::vector<std::string> ReceiverGroup::notes() const
+{
+  std::vector<std::string> on_ground, projected, notes;
+  for (auto const& [i, point] : on_ground_) {
+    const bool is_moved = hasHeight(i) && std::abs(point.rise) > rounding * point.element_size;
+    on_ground.push_back('\'' + places_[i].name + "' at " + formatPoint(pointOnDomain(i)) + " m" +
+                        (is_moved ? ", " + riseText(point, "the given place") : ""));
+  }
+  for (auto const& [i, distance] : projected_) {
+    projected.push_back('\'' + places_[i].name + "' by " + formatShort(distance) + " m to " +
+                        formatPoint(pointOnDomain(i)) + " m");
+  }
+  if (!on_ground.empty()) {
+    notes.push_back("Receivers on the ground: " + firstOf(on_ground) + '.');
+  }
+  if (!projected.empty()) {
+    notes.push_back("Receivers that lie outside of the " + domainText(domain_) +
+                    " are moved to it: " + firstOf(projected) + '.');
+  }
+  return notes;
+}
+
+std::optional<Warning> ReceiverGroup::warning() const
+{
+  std::vector<std::string> far;
+  for (auto const& [i, point] : on_ground_) {
+    if (hasHeight(i) && std::abs(point.rise) > point.element_size) {
+      far.push_back('\'' + places_[i].name + "' by " + formatShort(std::abs(point.rise)) +
+                    " m, where the facets of the ground are " + formatShort(point.element_size) +
+                    " m long");
+    }
+  }
+  if (far.empty()) {
+    return std::nullopt;
+  }
+  return Warning{"receivers far from the ground",
+                 "Output / Receivers / On Ground: these are moved to the ground over more than the "
+                 "size of a cell: " +
+                   firstOf(far) +
+                   ". Check unit, sign and datum of their heights and of the ground, or leave the "
+                   "heights out."};
 }
 
 void ReceiverGroup::chooseFields(std::vector<std::string> const& names,
@@ -163,7 +276,8 @@ std::string ReceiverGroup::signature() const
 {
   std::string text;
   for (auto const& place : places_) {
-    text += place.name + ' ' + pointText(place.coordinates) + '\n';
+    text += place.name + ' ' + pointText(place.coordinates) +
+            (place.isOnGround() ? " on the ground\n" : "\n");
   }
   for (auto const* field : chosen_) {
     text += field->name + '\n';

@@ -1,6 +1,7 @@
 #include "catalogue/receivers/Receivers.hpp"
 
 #include "base/Errors.hpp"
+#include "base/Text.hpp"
 #include "io/series/SeriesLayout.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -9,15 +10,6 @@ namespace asperity::catalogue
 {
 namespace
 {
-std::vector<NamedPlace> placesIn(Teuchos::ParameterList const& list)
-{
-  std::vector<NamedPlace> places;
-  for (auto const& entry : list) {
-    places.push_back({entry.first, list.get<Teuchos::Array<double>>(entry.first).toVector()});
-  }
-  return places;
-}
-
 io::SegmentedTable::Options tableOf(io::OutputContext const& context,
                                     std::map<std::string, ReceiverGroup> const& groups)
 {
@@ -52,13 +44,25 @@ Entries<ReceiverSettings> ReceiverSettings::entries()
                    " On a fault in two dimensions a single number is the distance along it from "
                    "its upper end, or from the end of smaller x where the fault is level.")
       .list();
+  const auto on_ground =
+    Declare()
+      .realArray("<receiver>", required, "m", Range::any(),
+                 "The receiver lies where the vertical line through this position meets the free "
+                 "surface, at its highest point there. Of several free surfaces it is the first "
+                 "in the deck, as in Surface History. The coordinate along the axis that is Up may "
+                 "be left out.")
+      .list();
   Entries<ReceiverSettings> entries;
   entries
     .boolean("Enabled", &ReceiverSettings::is_enabled,
              "If true, the run writes this output, provided that there are receivers.")
     .others()
-    .openSublist("On Fault", on_fault, "Each entry puts a receiver of that name on the fault.")
-    .openSublist("Off Fault", in_body, "Each entry puts a receiver of that name in the body.");
+    .openSublist(on_fault_list, on_fault, "Each entry puts a receiver of that name on the fault.")
+    .openSublist(off_fault_list, in_body, "Each entry puts a receiver of that name in the body.")
+    .openSublist(
+      on_ground_list, on_ground,
+      "Each entry puts a receiver of that name on the ground. It is one of the receivers "
+      "in the body.");
   entries
     .textArray("Fault Fields", &ReceiverSettings::fault_fields, optional,
                "The fields of these names are written for receivers on the fault. If it is left "
@@ -116,19 +120,20 @@ std::vector<std::string> usualFaultFields(io::FieldRegistry const& registry)
 Receivers::Receivers(Teuchos::ParameterList const& parameters, io::OutputContext const& context)
     : rule_(parameters)
 {
-  const std::string path = "Asperity / Output / Receivers / ";
   auto const settings = ReceiverSettings::from(parameters);
-  const auto add = [&](std::string const& list, std::string const& group, std::string const& domain,
-                       std::string const& entry, std::vector<std::string> const& fields) {
-    const auto places = placesIn(parameters.sublist(list));
+  auto const ground = groundOf(context.domains, context.up);
+  const auto add = [&](std::vector<NamedPlace> const& places, std::string const& group,
+                       std::string const& domain, std::string const& entry,
+                       std::vector<std::string> const& fields) {
     if (!places.empty()) {
-      groups_.try_emplace(group, path + list, places, context.domain(domain))
-        .first->second.chooseFields(fields, context.fields, path + entry);
+      auto const* above = domain == "volume" && ground ? &*ground : nullptr;
+      groups_.try_emplace(group, places, context.domain(domain), above)
+        .first->second.chooseFields(fields, context.fields, joinPath(receivers_path, entry));
     }
   };
-  add("On Fault", "on_fault", "fault", "Fault Fields",
+  add(placesIn(parameters, on_fault_list), "on_fault", "fault", "Fault Fields",
       settings.fault_fields ? *settings.fault_fields : usualFaultFields(context.fields));
-  add("Off Fault", "off_fault", "volume", "Body Fields", settings.body_fields);
+  add(placesInBody(parameters), "off_fault", "volume", "Body Fields", settings.body_fields);
   if (!groups_.empty()) {
     table_ = std::make_unique<io::SegmentedTable>(tableOf(context, groups_), context.comm);
   }
@@ -153,6 +158,27 @@ void Receivers::closeSegment(int index)
   if (table_) {
     table_->closeSegment(index);
   }
+}
+
+std::vector<std::string> Receivers::notes() const
+{
+  std::vector<std::string> notes;
+  for (auto const& [name, group] : groups_) {
+    auto const more = group.notes();
+    notes.insert(notes.end(), more.begin(), more.end());
+  }
+  return notes;
+}
+
+std::vector<Warning> Receivers::warnings() const
+{
+  std::vector<Warning> warnings;
+  for (auto const& [name, group] : groups_) {
+    if (auto const warning = group.warning()) {
+      warnings.push_back(*warning);
+    }
+  }
+  return warnings;
 }
 
 std::string Receivers::signature() const

@@ -40,6 +40,8 @@ public:
   void write(io::StepInfo const& step) override;
   void closeSegment(int index) override;
   void finish() override {}
+  std::vector<std::string> notes() const override;
+  std::vector<Warning> warnings() const override;
   void save(Archive& archive) const override;
   void restore(Archive const& archive) override;
 

@@ -2,10 +2,9 @@
 
 #include "base/Text.hpp"
 #include "catalogue/receivers/PointLocation.hpp"
+#include "catalogue/receivers/ReceiverPlaces.hpp"
 #include "catalogue/receivers/Receivers.hpp"
 #include "mesh/Crossings.hpp"
-
-#include <Teuchos_Array.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -43,21 +42,30 @@ std::vector<double> boundariesAt(io::OutputDomain const& fault,
 } // namespace
 
 std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
-                                              io::OutputDomain const& volume,
-                                              io::OutputDomain const& fault,
+                                              ReceiverDomains const& domains,
                                               std::vector<SplitVertex> const& splits)
 {
-  auto const& list = receivers.sublist("Off Fault");
+  auto const& [volume, fault, ground] = domains;
+  if (!ReceiverSettings::from(receivers).is_enabled) {
+    return std::nullopt;
+  }
   std::vector<std::string> names;
   std::vector<double> places;
-  for (auto const& entry : list) {
-    const auto place = list.get<Teuchos::Array<double>>(entry.first);
-    if (place.size() == volume.dimension) { // others are refused
-      names.push_back(entry.first);
-      places.insert(places.end(), place.begin(), place.end());
+  const auto add = [&](std::string const& name, std::vector<double> const& place) {
+    names.push_back(name);
+    places.insert(places.end(), place.begin(), place.end());
+  };
+  for (auto const& place : placesIn(receivers, off_fault_list)) {
+    if (static_cast<int>(place.coordinates.size()) == volume.dimension) { // others are refused
+      add(place.name, place.coordinates);
     }
   }
-  if (names.empty() || !ReceiverSettings::from(receivers).is_enabled) {
+  auto const on_ground = placesIn(receivers, on_ground_list);
+  auto const points = pointsOnGround(on_ground, ground);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    add(on_ground[i].name, points[i].coordinates);
+  }
+  if (names.empty()) {
     return std::nullopt;
   }
   std::set<int> cut; // the plus vertices, but for tips
@@ -94,7 +102,7 @@ std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
     return std::nullopt;
   }
   return Warning{"receivers on the fault",
-                 "Output / Receivers / Off Fault: these lie on the fault, whose two sides move "
+                 "Output / Receivers: these lie on the fault, whose two sides move "
                  "apart: " +
                    found + ". Move each off the fault to the side that you want; " +
                    formatShort(off_fault * cell) + " m are enough."};

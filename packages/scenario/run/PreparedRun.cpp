@@ -68,12 +68,17 @@ Description PreparedRun<Dim>::description() const
   if (unread) {
     result.warnings.push_back(*unread);
   }
+  result.add(outputs->notes());
+  result.add(outputs->warnings());
   auto const fault = domains.find("fault");
   if (fault == domains.end()) {
     return result;
   }
+  auto const& output = deck->sublist("Output");
+  auto const ground = catalogue::groundOf(domains, io::DirectionUp::from(output).orDefault());
   if (auto const warning = catalogue::warnOfReceiversOnFault(
-        deck->sublist("Output").sublist("Receivers"), domains.at("volume"), fault->second,
+        output.sublist("Receivers"),
+        {domains.at("volume"), fault->second, ground ? &*ground : nullptr},
         problem.mesh().splits)) {
     result.warnings.push_back(*warning);
   }

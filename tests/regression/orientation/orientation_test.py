@@ -201,6 +201,33 @@ class OnTheFault(unittest.TestCase):
         self.assertEqual(self.warnings("{0.3, 0.501}"), [])
 
 
+class OnTheGround(unittest.TestCase):
+    """The ground of the buried fault is z = 0, with facets of 2.8 km."""
+
+    RECEIVERS = "Output/Receivers/"
+
+    def test_receivers_are_moved_there(self):
+        places = settings({f"{self.RECEIVERS}On Ground/level": "{100, 200}",
+                           f"{self.RECEIVERS}On Ground/high": "{100, 300, 1500}"})
+        for ranks in (1, 2):
+            result = asperity_run.run(BURIED, *places, "--validate", ranks=ranks)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("Receivers on the ground: 'level' at (100, 200, 0) m, 'high' at (100, "
+                          "300, 0) m, 1500 m below the given place.", result.stdout)
+            self.assertNotIn("moved to the ground over more than", result.stdout)
+
+    def test_far_from_their_height_it_is_a_warning(self):
+        line, = (line for line in lines_of(BURIED, *settings({
+            f"{self.RECEIVERS}On Ground/deep": "{100, 200, -3000}"})) if "WARNING" in line
+            and "On Ground" in line)
+        self.assertIn("'deep' by 3000 m, where the facets of the ground are 2828.43 m long", line)
+
+    def test_above_it_they_are_told_its_height(self):
+        self.assertTrue(asperity_run.refuses(
+            BURIED, f"{self.RECEIVERS}Off Fault/gps={{100, 200, 60}}",
+            "The free surface there is at (100, 200, 0) m, 60 m below it"))
+
+
 class Tension(unittest.TestCase):
     """A square that is pulled apart across its fault, which the model holds shut: the stress is the
     same everywhere, and all of the fault is in tension."""

@@ -38,6 +38,34 @@ void run(Fault& fault, Receivers& receivers)
   receivers.closeSegment(1);
 }
 
+// Above the strip the ground rises from y = 1 to y = 1.2.
+Mesh<2> hill()
+{
+  auto mesh = test::stripMesh(6);
+  for (auto& vertex : mesh.vertices) {
+    vertex[1] *= 1 + 0.2 * vertex[0];
+  }
+  return mesh;
+}
+
+struct FaultBelowHill : Fault
+{
+  FaultBelowHill() : Fault(2, hill())
+  {
+    domains["surface"] =
+      boundaryDomain("surface", hill(), "surface", test::world(), CurveStart::smaller_x);
+  }
+};
+
+// The message with which receivers are refused that the ground or the list makes impossible.
+template <class Model>
+std::string refusalOn(ParameterList const& list)
+{
+  test::TemporaryDirectory directory;
+  Model model;
+  return test::refusal([&] { Receivers(complete(list), model.context(directory.path())); });
+}
+
 std::string refusal(ParameterList const& list)
 {
   test::TemporaryDirectory directory;
@@ -67,6 +95,7 @@ TEST(Receivers, WriteSeriesOfInterpolatedFields)
     const auto displacement = file.openDataset("off_fault/fields/displacement");
     ASSERT_EQ(slip.shape(), (h5::Shape{5, 2}));
     ASSERT_EQ(displacement.shape(), (h5::Shape{5, 1, 2}));
+    EXPECT_TRUE(receivers.notes().empty()); // none is moved
     EXPECT_EQ(file.openDataset("step").read<std::int64_t>(),
               (std::vector<std::int64_t>{0, 1, 2, 3, 4}));
     for (int step = 0; step <= 4; ++step) {
@@ -145,6 +174,83 @@ TEST(Receivers, ThoseBesideTheFaultOrOutsideOfTheMeshAreRefusedByName)
   test::expectParts(refusal(list), {"flat has 1 coordinates"});
 }
 
+TEST(Receivers, ThoseOnTheGroundAreMovedThere)
+{
+  test::TemporaryDirectory directory;
+  FaultBelowHill model;
+  auto list = parameters();
+  list.sublist("On Ground").set("above", position({0.3, 1.2}));
+  list.sublist("On Ground").set("without", position({0.5}));
+  list.sublist("On Ground").set("at", position({0., 1.}));
+  Receivers receivers(complete(list), model.context(directory.path()));
+  receivers.write(model.at(0, step_size, true));
+  receivers.closeSegment(0);
+  test::onRankZero([&] {
+    const auto file = h5::File::open(directory / "receivers.h5");
+    EXPECT_EQ(file.openDataset("off_fault/names").readTexts(),
+              (std::vector<std::string>{"inside", "above", "without", "at"}));
+    const auto places = file.openDataset("off_fault/coordinates").read<double>();
+    const std::vector<double> expected = {0.5, 0.75, 0.3, 1.06, 0.5, 1.1, 0, 1};
+    ASSERT_EQ(places.size(), expected.size());
+    const auto displacement = file.openDataset("off_fault/fields/displacement").read<double>();
+    for (std::size_t i = 0; i < expected.size(); i += 2) {
+      EXPECT_NEAR(places[i], expected[i], 1e-14);
+      EXPECT_NEAR(places[i + 1], expected[i + 1], 1e-14);
+      EXPECT_NEAR(displacement[i], expected[i] + 2 * expected[i + 1], 1e-14);
+    }
+  });
+  auto const notes = receivers.notes();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(notes[0], "Receivers on the ground: 'above' at (0.3, 1.06) m, 0.14 m below the given "
+                      "place, 'without' at (0.5, 1.1) m, 'at' at (0, 1) m.");
+  EXPECT_TRUE(receivers.warnings().empty());
+}
+
+TEST(Receivers, AHeightFarFromTheGroundIsAWarning)
+{
+  test::TemporaryDirectory directory;
+  FaultBelowHill model;
+  ParameterList list;
+  list.sublist("On Ground").set("near", position({0.3, 1.}));
+  list.sublist("On Ground").set("low", position({0.3, 0.}));
+  const Receivers receivers(complete(list), model.context(directory.path()));
+  auto const warnings = receivers.warnings();
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].topic, "receivers far from the ground");
+  test::expectParts(warnings[0].text, {"Receivers / On Ground", "'low' by 1.06 m, where"});
+  EXPECT_EQ(warnings[0].text.find("near"), std::string::npos);
+}
+
+TEST(Receivers, PlacesThatCannotBeOnTheGroundAreRefused)
+{
+  const auto on_ground = [](std::vector<double> const& place) {
+    auto list = parameters();
+    list.sublist("On Ground").set("gps", position(place));
+    return list;
+  };
+  test::expectParts(refusalOn<FaultBelowHill>(on_ground({1.5, 1})),
+                    {"Receivers / On Ground / gps = (1.5, 1) has no ground above or below it"});
+  test::expectParts(refusalOn<FaultBelowHill>(on_ground({0.5, 1, 2})),
+                    {"gps has 3 coordinates; a position in this mesh has 2, or 1 without y"});
+  test::expectParts(refusal(on_ground({0.5, 1})),
+                    {"Receivers / On Ground / gps: the model has no ground", "Free Surface"});
+  auto twice = parameters();
+  twice.sublist("On Ground").set("inside", position({0.5}));
+  test::expectParts(refusalOn<FaultBelowHill>(twice),
+                    {"On Ground / inside: a receiver of this name is in Off Fault"});
+}
+
+TEST(Receivers, ThoseAboveTheGroundAreToldItsHeight)
+{
+  auto list = parameters();
+  list.sublist("Off Fault").set("gps", position({0.5, 1.2}));
+  test::expectParts(refusalOn<FaultBelowHill>(list),
+                    {"Off Fault / gps = (0.5, 1.2) is ", " m outside of the mesh",
+                     "The free surface there is at (0.5, 1.1) m, 0.1 m below it; the list On "
+                     "Ground moves receivers there."});
+  EXPECT_EQ(refusal(list).find("free surface"), std::string::npos); // the model has none
+}
+
 TEST(Receivers, RoundedPositionsOnTheFaultAreProjected)
 {
   test::TemporaryDirectory directory;
@@ -158,6 +264,9 @@ TEST(Receivers, RoundedPositionsOnTheFaultAreProjected)
     EXPECT_NEAR(file.openDataset("on_fault/coordinates").read<double>()[1], 0, 1e-15);
     EXPECT_FALSE(file.has("off_fault"));
   });
+  EXPECT_EQ(receivers.notes(),
+            (std::vector<std::string>{"Receivers that lie outside of the fault are moved to it: "
+                                      "'near' by 0.0027 m to (0.5, 0) m."}));
 }
 
 TEST(Receivers, NamesThatNoFileCanHaveAreRefused)
