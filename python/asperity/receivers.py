@@ -9,8 +9,9 @@ from .errors import InputError, NothingToShow
 from .h5file import H5File
 from .series import Series
 
-ON_FAULT = "on_fault"
-GROUPS = (ON_FAULT, "off_fault")
+ON_FAULT, IN_BODY = "on_fault", "off_fault"
+GROUPS = {ON_FAULT: "on the fault", IN_BODY: "in the body"}
+AXES = {1: "z", 2: "xy", 3: "xyz"}  # of a motion with so many components
 FIELDS = ("slip_rate", "traction", "theta", "slip")  # of a Series
 
 
@@ -49,6 +50,40 @@ class Receivers(H5File):
                 raise InputError(f"{self.path} has no receiver '{name}' on the fault. There are "
                                  f"{', '.join(names)}.")
         return list(wanted) or names
+
+    def shown(self, group: str, wanted: Sequence[str] = ()) -> List[str]:
+        """Those of the names in `wanted` that are in the group, ON_FAULT or IN_BODY, which has
+        those on the ground, too; or all of it. InputError for a name that the file does not have,
+        NothingToShow if there is no receiver to show."""
+        if group not in self._names:
+            raise NothingToShow(f"{self.path.name} has no receiver {GROUPS[group]}")
+        places = " or ".join(GROUPS[each] for each in self._names)
+        for name in wanted:
+            if name not in self.names:
+                raise InputError(f"{self.path} has no receiver '{name}' {places}. There are "
+                                 f"{', '.join(self.names)}.")
+        chosen = [name for name in wanted if name in self._names[group]]
+        if wanted and not chosen:
+            raise NothingToShow(f"no receiver named {', '.join(wanted)} lies {GROUPS[group]}")
+        return chosen or self._names[group]
+
+    def has_motion(self, field: str) -> bool:
+        """Whether the run wrote this field of receivers in the body."""
+        return self.has(f"{IN_BODY}/fields/{field}")
+
+    def motion(self, names: Sequence[str], field: str) -> List[Series]:
+        """One for each of `names` in the body: the components of a displacement or velocity by
+        their axes, 'x', 'y', 'z'; of an antiplane body 'z' alone."""
+        values = self.values(IN_BODY, field)
+        values = values.reshape(*values.shape[:2], -1)
+        axes = AXES.get(values.shape[2])
+        if axes is None:
+            raise InputError(f"{self.path}: '{IN_BODY}/fields/{field}' has {values.shape[2]} "
+                             "components. The file is damaged.")
+        columns = [self._names[IN_BODY].index(name) for name in names]
+        return [Series(name, self.time, {axis: values[:, column, number]
+                                         for number, axis in enumerate(axes)})
+                for name, column in zip(names, columns)]
 
     def fields(self) -> List[str]:
         """Those of FIELDS that the run wrote of receivers on the fault."""

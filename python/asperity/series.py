@@ -1,4 +1,4 @@
-"""A series at one place on the fault: of a receiver, or of another code to compare with."""
+"""A series at one place: of a receiver, or of another code to compare with."""
 
 from dataclasses import dataclass, replace
 from typing import Dict, Optional, Tuple
@@ -8,7 +8,8 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Series:
-    """`values` by field (slip_rate, traction, theta, slip) in SI, each (n_times) as `time`."""
+    """`values` in SI, each (n_times) as `time`: on the fault by field (slip_rate, traction, theta,
+    slip), in the body by the axes of a motion."""
 
     label: str
     time: np.ndarray

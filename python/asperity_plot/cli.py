@@ -58,7 +58,7 @@ def _parse(arguments: Optional[List[str]]) -> argparse.Namespace:
                         help="times from one slip profile to the next, between events and in "
                              "them (default: 5yr 1s, less for short runs and events)")
     parser.add_argument("--receivers", metavar="NAME[,NAME...]", type=words, default=(),
-                        help="which to show (default: all on the fault)")
+                        help="which to show, on the fault and in the body (default: all)")
     parser.add_argument("--reference", metavar="[RECEIVER=]FILE", action="append", default=[],
                         help="a series in the text format of SEAS to draw with the receivers")
     parser.add_argument("--at", metavar="DISTANCE[,DISTANCE...]", type=_lengths, default=(),

@@ -7,6 +7,7 @@ import numpy as np
 from asperity import network
 from asperity.catalogue import magnitude
 from asperity.errors import InputError, NothingToShow
+from asperity.receivers import ON_FAULT
 from asperity.run import Run
 from asperity.tables import Table
 
@@ -92,7 +93,7 @@ def slip_at_places(run: Run, view: View) -> List[Column]:
     if not run.has("receivers.h5"):
         return []
     try:
-        series = run.receivers.series(run.receivers.on_fault(view.options.receivers))
+        series = run.receivers.series(run.receivers.shown(ON_FAULT, view.options.receivers))
     except NothingToShow:
         return []
     slips = {each.label: np.interp(times, each.time, each.values["slip"])

@@ -27,6 +27,8 @@ FIGURES = {  # what it shows, and the file that it needs
                       "fault.h5"),
     "receivers": ("slip rate, shear traction, state and slip at the receivers on the fault",
                   "receivers.h5"),
+    "stations": ("displacement and velocity, component by component, at the receivers in the body "
+                 "and on the ground", "receivers.h5"),
     "rupture_times": ("first arrival of each rupture over the distance along the fault",
                       "rupture.h5"),
     "moment_rate": ("moment rate and moment of each event", "global.csv"),

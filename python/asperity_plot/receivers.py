@@ -5,6 +5,7 @@ from typing import Dict, List, Tuple
 import numpy as np
 
 from asperity.errors import NothingToShow
+from asperity.receivers import ON_FAULT
 from asperity.run import Run
 from asperity.series import Series
 
@@ -21,13 +22,13 @@ Line = Tuple[Series, Dict]  # and how it is drawn
 
 def draw(run: Run, view: View):
     """The figure; NothingToShow without receivers on the fault or fields in LABELS there."""
-    names = _thinned(run.receivers.on_fault(view.options.receivers))
+    names = thinned(run.receivers.shown(ON_FAULT, view.options.receivers))
     fields = [field for field in LABELS if field in run.receivers.fields()]
     if not fields:
         raise NothingToShow(f"receivers.h5 has none of the fields {', '.join(LABELS)}")
     series = run.receivers.series(names)
     references = reference.read_all(view.options.references, names)
-    figure, axes, beside = _panels(len(fields), [2.25] if view.zoom is None else [1.25, 1.0])
+    figure, axes, beside = panels(len(fields), [2.25] if view.zoom is None else [1.25, 1.0])
     whole = windows.over_sequence(run, view)
     _column(axes[:, 0], fields, _lines(series, references), whole.cycles, 0.0)
     maps.label_cycles(axes[0, 0], whole, axes[-1, 0])
@@ -42,10 +43,10 @@ def draw(run: Run, view: View):
     return figure
 
 
-def _panels(rows: int, widths: List[float]):
+def panels(rows: int, widths: List[float], sharey: str = "row"):
     """A figure, its axes (rows, columns), and empty axes beside all rows for the legend."""
     figure, axes = style.panels(rows, len(widths) + 1, (11.0, 1.0 + 1.9 * rows), sharex="col",
-                                sharey="row", gridspec_kw={"width_ratios": widths + [0.3]})
+                                sharey=sharey, gridspec_kw={"width_ratios": widths + [0.3]})
     for panel in axes[:, -1]:
         panel.remove()
     beside = figure.add_subplot(axes[0, 0].get_gridspec()[:, -1])
@@ -53,7 +54,7 @@ def _panels(rows: int, widths: List[float]):
     return figure, axes[:, :-1], beside
 
 
-def _thinned(names: List[str]) -> List[str]:
+def thinned(names: List[str]) -> List[str]:
     """At most MANY of them, evenly chosen."""
     return [names[row] for row in np.unique(np.linspace(0, len(names) - 1, MANY).astype(int))]
 

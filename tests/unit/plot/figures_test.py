@@ -45,8 +45,9 @@ class Figures(SharedFolderCase):
     def test_all_figures(self):
         status, out, err = self.plot("many")
         self.assertEqual((status, err), (0, ""))
-        missing = {"receivers": "receivers.h5", "rupture_times": "rupture.h5",
-                   "rupture_patterns": "rupture.h5", "moment_rate": "global.csv"}
+        missing = {"receivers": "receivers.h5", "stations": "receivers.h5",
+                   "rupture_times": "rupture.h5", "rupture_patterns": "rupture.h5",
+                   "moment_rate": "global.csv"}
         for name in cli.FIGURES:
             if name in missing:
                 self.assertIn(f"No figure '{name}': the run has no {missing[name]}.", out)
@@ -106,7 +107,8 @@ class Figures(SharedFolderCase):
         self.assertIn("No figure 'fault_maps': fault.h5 is not over a surface", out)
 
     def test_figures_of_a_vertical_fault(self):
-        names = ("slip_rate", "slip", "slip_profiles", "receivers", "rupture_times", "moment_rate")
+        names = ("slip_rate", "slip", "slip_profiles", "receivers", "stations", "rupture_times",
+                 "moment_rate")
         status, out, err = self.plot("cycle", "--figures", ",".join(names))
         self.assertEqual((status, err), (0, ""))
         for name in names:

@@ -160,8 +160,15 @@ class Receivers(FolderCase):
         labels = [text.get_text() for text in figure.axes[-1].get_legend().get_texts()]
         self.assertEqual(labels[:2], ["dp100", "dp000"])
         self.assertIn("later", labels[2])
-        with self.assertRaisesRegex(InputError, "no receiver 'dp1' on the fault. There are dp000"):
+        with self.assertRaisesRegex(InputError, "no receiver 'dp1' on the fault or in the body. "
+                                                "There are dp000"):
             self.draw(receivers=("dp1",))
+
+    def test_names_of_the_other_figure_are_left_out(self):
+        names = ("far", "dp100")
+        self.assertEqual(len(self.draw(receivers=names).axes[6].lines), 1)
+        with self.assertRaisesRegex(NothingToShow, "no receiver named far lies on the fault"):
+            self.draw(receivers=("far",))
 
     def test_fields_that_the_deck_left_out_have_no_panel(self):
         with h5py.File(self.folder / "receivers.h5", "a") as file:

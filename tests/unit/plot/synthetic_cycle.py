@@ -21,6 +21,7 @@ FINAL = 450.0 * YEAR
 SHEAR_MODULUS = 32e9                            # [Pa]
 RECEIVERS = {"dp000": 0.0, "dp025": 2.5e3, "dp050": 5e3, "dp075": 7.5e3, "dp100": 10e3,
              "dp150": 15e3, "dp200": 20e3}
+STATIONS = {"near": 1.0, "far": 0.25}           # in the body, with their shares of the slip
 
 
 def depths(nodes: int) -> np.ndarray:
@@ -111,6 +112,19 @@ def write_receivers(path: Path, times: np.ndarray) -> None:
         file["on_fault/names"] = list(RECEIVERS)
         for name, values in fields(times, np.array(list(RECEIVERS.values()))).items():
             file[f"on_fault/fields/{name}"] = values
+        file["off_fault/names"] = list(STATIONS)
+        for name, values in motion(times).items():
+            file[f"off_fault/fields/{name}"] = values
+
+
+def motion(times: np.ndarray) -> Dict[str, np.ndarray]:
+    """(times, STATIONS, 3): displacement and velocity that follow the slip at 5 km depth, of which
+    a station has its share; the displacement at the start is not zero."""
+    depth = np.array([5e3])
+    shares = np.array(list(STATIONS.values()))
+    follow = np.array([0.5, 0.1, -0.05])
+    return {"displacement": 2.0 + slip(times, depth)[:, :, None] * shares[None, :, None] * follow,
+            "velocity": slip_rate(times, depth)[:, :, None] * shares[None, :, None] * follow}
 
 
 def write_ruptures(path: Path, depth: np.ndarray) -> None:
