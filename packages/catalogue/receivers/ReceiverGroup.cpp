@@ -53,6 +53,22 @@ void requireFileName(NamedPlace const& place)
                      << "', because files are named after it. Choose a name without '/'.");
 }
 
+// "(0, 0, 312.5)", with digits enough for decimetres in coordinates of a map.
+std::string roundedText(std::vector<double> const& point)
+{
+  return formatPoint(point, [](double x) { return formatted("%.8g", x); });
+}
+
+// The same, where coordinates that rounding alone keeps from zero are zero.
+std::string placeText(GroundPoint const& point)
+{
+  auto coordinates = point.coordinates;
+  for (double& x : coordinates) {
+    x = std::abs(x) > rounding * point.element_size ? x : 0;
+  }
+  return roundedText(coordinates);
+}
+
 // "87.5 m below it"
 std::string riseText(GroundPoint const& point, std::string const& what)
 {
@@ -67,8 +83,8 @@ std::string groundText(std::vector<double> const& point, Ground const* ground)
   if (!found) {
     return "";
   }
-  return " The free surface there is at " + pointText(found->coordinates) + " m, " +
-         riseText(*found, "it") + "; the list " + on_ground_list + " moves receivers there.";
+  return " The free surface there is at " + placeText(*found) + " m, " + riseText(*found, "it") +
+         "; the list " + on_ground_list + " moves receivers there.";
 }
 
 // point: of the place, with all coordinates. Collective.
@@ -183,12 +199,12 @@ std::vector<std::string> ReceiverGroup::notes() const
   std::vector<std::string> on_ground, projected, notes;
   for (auto const& [i, point] : on_ground_) {
     const bool is_moved = hasHeight(i) && std::abs(point.rise) > rounding * point.element_size;
-    on_ground.push_back('\'' + places_[i].name + "' at " + formatPoint(pointOnDomain(i)) + " m" +
+    on_ground.push_back('\'' + places_[i].name + "' at " + placeText(point) + " m" +
                         (is_moved ? ", " + riseText(point, "the given place") : ""));
   }
   for (auto const& [i, distance] : projected_) {
     projected.push_back('\'' + places_[i].name + "' by " + formatShort(distance) + " m to " +
-                        formatPoint(pointOnDomain(i)) + " m");
+                        roundedText(pointOnDomain(i)) + " m");
   }
   if (!on_ground.empty()) {
     notes.push_back("Receivers on the ground: " + firstOf(on_ground) + '.');
