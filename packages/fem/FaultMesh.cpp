@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/SplitVertices.hpp"
 #include "portability/Renamed.hpp"
 
 #include <Teuchos_OrdinalTraits.hpp>
@@ -127,26 +128,63 @@ RCP<const Map> mapOf(std::vector<GlobalOrdinal> const& ids,
   auto const unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   return rcp(new Map(unknown, Teuchos::arrayViewFromVector(ids), 0, communicator));
 }
+
+// Numbers ids in the order in which they come; those before endOwned() are owned.
+class NumberedIds
+{
+public:
+  int of(GlobalOrdinal id)
+  {
+    auto const [place, is_new] = numbers_.emplace(id, static_cast<int>(ids_.size()));
+    if (is_new) {
+      ids_.push_back(id);
+    }
+    return place->second;
+  }
+
+  void endOwned() { num_owned_ = ids_.size(); }
+
+  FaultMesh::Numbering maps(RCP<const Communicator> const& communicator) const
+  {
+    const auto first = ids_.begin(), end = first + static_cast<std::ptrdiff_t>(num_owned_);
+    return {mapOf({first, end}, communicator), mapOf(ids_, communicator)};
+  }
+
+private:
+  std::map<GlobalOrdinal, int> numbers_;
+  std::vector<GlobalOrdinal> ids_;
+  std::size_t num_owned_ = 0;
+};
+
+std::vector<int> ofOwned(std::vector<int> const& of_columns, Map const& owned)
+{
+  return {of_columns.begin(),
+          of_columns.begin() + static_cast<std::ptrdiff_t>(numLocalElements(owned))};
+}
 } // namespace
 
-FaultMesh::FaultMesh(int num_corners, std::vector<FaultFacet> facets, RCP<const Map> const& owned,
-                     RCP<const Map> const& columns)
+FaultMesh::FaultMesh(int num_corners, std::vector<FaultFacet> facets, Numbering nodes,
+                     Numbering points, std::vector<int> point_of_column)
     : num_corners_(num_corners)
     , facets_(std::move(facets))
-    , owned_(owned)
-    , columns_(columns)
+    , nodes_(std::move(nodes))
+    , numbering_of_points_(std::move(points))
+    , point_of_column_(std::move(point_of_column))
+    , points_(ofOwned(point_of_column_, *nodes_.owned),
+              static_cast<int>(numLocalElements(*numbering_of_points_.owned)),
+              *nodes_.owned->getComm())
 {
 }
 
 std::vector<double> FaultMesh::withGhosts(std::vector<double> const& values) const
 {
-  Vector mine(owned_), all(columns_);
+  Vector mine(nodes_.owned), all(nodes_.columns);
   auto const host = mine.getLocalViewHost(Tpetra::Access::OverwriteAll);
   ASPERITY_ASSERT(values.size() == host.extent(0));
   for (std::size_t i = 0; i < values.size(); ++i) {
     host(i, 0) = values[i];
   }
-  all.doImport(mine, Import(owned_, columns_), Tpetra::INSERT);
+  all.doImport(mine, Import(nodes_.owned, nodes_.columns), Tpetra::INSERT);
   auto const result = all.getLocalViewHost(Tpetra::Access::ReadOnly);
   std::vector<double> copy(result.extent(0));
   for (std::size_t i = 0; i < copy.size(); ++i) {
@@ -158,7 +196,7 @@ std::vector<double> FaultMesh::withGhosts(std::vector<double> const& values) con
 RCP<const CrsMatrix> FaultMesh::stiffness(std::vector<double> const& c) const
 {
   auto const values = withGhosts(c);
-  const auto num_rows = static_cast<int>(numLocalElements(*owned_));
+  const int num_rows = points_.numPoints();
   std::vector<std::map<int, double>> rows(num_rows);
   for (auto const& facet : facets_) {
     double mean = 0;
@@ -166,8 +204,10 @@ RCP<const CrsMatrix> FaultMesh::stiffness(std::vector<double> const& c) const
       mean += values[facet.nodes[i]] / num_corners_;
     }
     for (int i = 0; i < num_corners_; ++i) {
-      for (int j = 0; facet.nodes[i] < num_rows && j < num_corners_; ++j) {
-        rows[facet.nodes[i]][facet.nodes[j]] += mean * gradientProduct(facet, num_corners_, i, j);
+      const int row = point_of_column_[facet.nodes[i]];
+      for (int j = 0; row < num_rows && j < num_corners_; ++j) {
+        rows[row][point_of_column_[facet.nodes[j]]] +=
+          mean * gradientProduct(facet, num_corners_, i, j);
       }
     }
   }
@@ -175,7 +215,8 @@ RCP<const CrsMatrix> FaultMesh::stiffness(std::vector<double> const& c) const
   for (auto const& row : rows) {
     most = std::max(most, row.size());
   }
-  auto const K = rcp(new CrsMatrix(owned_, columns_, most));
+  auto const& [owned, of_columns] = numbering_of_points_;
+  auto const K = rcp(new CrsMatrix(owned, of_columns, most));
   for (int i = 0; i < num_rows; ++i) {
     std::vector<LocalOrdinal> columns;
     std::vector<double> entries;
@@ -186,7 +227,7 @@ RCP<const CrsMatrix> FaultMesh::stiffness(std::vector<double> const& c) const
     K->insertLocalValues(i, Teuchos::arrayViewFromVector(columns),
                          Teuchos::arrayViewFromVector(entries));
   }
-  K->fillComplete(owned_, owned_);
+  K->fillComplete(owned, owned);
   return K;
 }
 
@@ -230,7 +271,7 @@ std::optional<std::size_t> FaultMesh::chosen(std::vector<double> const& distance
     if (distances[i] <= least) {
       Key key{};
       for (int k = 0; k < num_corners_; ++k) {
-        key[k] = columns_->getGlobalElement(facets_[i].nodes[k]);
+        key[k] = nodes_.columns->getGlobalElement(facets_[i].nodes[k]);
       }
       candidates.emplace(key, i);
     }
@@ -238,7 +279,7 @@ std::optional<std::size_t> FaultMesh::chosen(std::vector<double> const& distance
   for (int k = 0; k < num_corners_; ++k) {
     const auto mine =
       candidates.empty() ? std::numeric_limits<GlobalOrdinal>::max() : candidates.begin()->first[k];
-    const auto smallest = minOverRanks(mine, *owned_->getComm());
+    const auto smallest = minOverRanks(mine, *nodes_.owned->getComm());
     if (mine != smallest) {
       candidates.clear();
     }
@@ -255,14 +296,14 @@ FaultMesh::Nearest FaultMesh::nearest(std::array<double, 3> const& place) const
     distances.push_back(mesh::distance<3>(point, place));
     least = std::min(least, distances.back());
   }
-  auto const& communicator = *owned_->getComm();
+  auto const& communicator = *nodes_.owned->getComm();
   Nearest result{minOverRanks(least, communicator), 0, {}};
   if (auto const best = chosen(distances, result.distance)) {
     auto const& facet = facets_[*best];
     auto const shares = nearestOn(facet, num_corners_, place);
     result.cell_size = longestEdge(facet, num_corners_);
     for (int i = 0; i < num_corners_; ++i) {
-      if (facet.nodes[i] < static_cast<int>(numLocalElements(*owned_))) {
+      if (facet.nodes[i] < static_cast<int>(numLocalElements(*nodes_.owned))) {
         result.shares.emplace_back(facet.nodes[i], shares[i]);
       }
     }
@@ -274,39 +315,41 @@ FaultMesh::Nearest FaultMesh::nearest(std::array<double, 3> const& place) const
 template <int Dim>
 std::shared_ptr<const FaultMesh> makeFaultMesh(Mesh<Dim> const& mesh, FaultSurface const& surface)
 {
-  std::vector<GlobalOrdinal> ids;
-  for (int node = 0; node < surface.numNodes(); ++node) {
-    ids.push_back(mesh.global_ids[surface.vertex(node)]);
+  const mesh::FaultPairs pairs(mesh.splits);
+  NumberedIds nodes, points;
+  std::vector<int> point_of_column;
+  const auto number = [&](int vertex) {
+    const int node = nodes.of(mesh.global_ids[vertex]);
+    if (node == static_cast<int>(point_of_column.size())) { // a new one
+      point_of_column.push_back(points.of(mesh.global_ids[pairs.placeOf(vertex)]));
+    }
+    return node;
+  };
+  for (int vertex : surface.vertices()) {
+    number(vertex);
   }
-  auto const owned = mapOf(ids, surface.communicator());
-  std::map<int, int> others; // columns of vertices
+  nodes.endOwned();
+  points.endOwned();
   std::vector<FaultFacet> facets;
   for (auto const& vertices : mesh.boundaries.at(surface.name())) {
-    FaultFacet facet;
-    auto const corners = mesh::corners(mesh, vertices);
-    facet.measure = mesh::facetMeasure(corners);
-    bool is_mine = false;
-    for (int i = 0; i < Dim; ++i) {
-      std::copy(corners[i].begin(), corners[i].end(), facet.corners[i].begin());
-      facet.nodes[i] = surface.nodeAt(vertices[i]);
-      is_mine = is_mine || facet.nodes[i] >= 0;
-    }
+    const bool is_mine = std::any_of(vertices.begin(), vertices.end(),
+                                     [&](int vertex) { return surface.nodeAt(vertex) >= 0; });
     if (!is_mine) {
       continue;
     }
+    FaultFacet facet;
+    auto const corners = mesh::corners(mesh, vertices);
+    facet.measure = mesh::facetMeasure(corners);
     for (int i = 0; i < Dim; ++i) {
-      if (facet.nodes[i] < 0) {
-        auto const [place, is_new] = others.emplace(vertices[i], static_cast<int>(ids.size()));
-        facet.nodes[i] = place->second;
-        if (is_new) {
-          ids.push_back(mesh.global_ids[vertices[i]]);
-        }
-      }
+      std::copy(corners[i].begin(), corners[i].end(), facet.corners[i].begin());
+      facet.nodes[i] = number(vertices[i]);
     }
     facets.push_back(facet);
   }
-  return std::make_shared<FaultMesh>(Dim, std::move(facets), owned,
-                                     mapOf(ids, surface.communicator()));
+  auto of_nodes = nodes.maps(surface.communicator());
+  auto of_points = points.maps(surface.communicator());
+  return std::make_shared<FaultMesh>(Dim, std::move(facets), std::move(of_nodes),
+                                     std::move(of_points), std::move(point_of_column));
 }
 
 #define ASPERITY_INSTANTIATE(DIM)                                                                  \

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/FaultPoints.hpp"
 #include "fem/FaultSurface.hpp"
 
 #include <array>
@@ -17,26 +18,38 @@ struct FaultFacet
   double measure = 0;                             // length [m] or area [m^2]
 };
 
-// A fault as a mesh of its own, for what varies and flows along it: linear finite elements on its
-// facets, whose unknowns are its nodes, distributed over the ranks as in FaultSurface. The facets
-// of a rank are all that touch its nodes, so that its rows of a matrix need no communication.
+// All faults of a surface as a mesh of its own, for what varies and flows along them: linear finite
+// elements on its facets. What varies has a value at each node, distributed over the ranks as in
+// FaultSurface; what flows has an unknown at each point (FaultPoints.hpp), so that it is continuous
+// where faults cross or join, and what leaves one fault enters the others. The facets of a rank are
+// all that touch its nodes, so that its rows of a matrix need no communication.
 class FaultMesh
 {
 public:
-  // facets: with the nodes of the columns. columns: the nodes of `owned`, then those of others.
-  FaultMesh(int num_corners, std::vector<FaultFacet> facets, RCP<const Map> const& owned,
-            RCP<const Map> const& columns);
+  // Numbers of this rank by ids that are the same on all ranks. columns: those of `owned`, then
+  // those of others.
+  struct Numbering
+  {
+    RCP<const Map> owned, columns;
+  };
+
+  // facets: with the nodes of the columns, each of which has a point of the columns. Collective.
+  FaultMesh(int num_corners, std::vector<FaultFacet> facets, Numbering nodes, Numbering points,
+            std::vector<int> point_of_column);
 
   int numCorners() const { return num_corners_; } // of a facet
   std::vector<FaultFacet> const& facets() const { return facets_; }
-  RCP<const Map> const& owned() const { return owned_; } // the nodes of the surface, in its order
+  // The nodes of the surface, in its order.
+  RCP<const Map> const& owned() const { return nodes_.owned; }
+  FaultPoints const& points() const { return points_; }
 
-  // K_ij = integral over the fault of c grad(phi_i) . grad(phi_j), with the gradients along it and
-  // c linear between its values at the nodes: c(num_nodes). Its rows sum to zero. Collective.
+  // K_ij = integral over the faults of c grad(phi_i) . grad(phi_j) at points, with the gradients
+  // along the faults and c linear on each facet between its values at the nodes: c(num_nodes). Its
+  // rows sum to zero. Collective.
   RCP<const CrsMatrix> stiffness(std::vector<double> const& c) const;
 
   // (num_nodes, 3) gradient along the fault of p(num_nodes), linear on each facet: the mean over
-  // the facets at a node, weighted by their measures. Collective.
+  // the facets of its fault at a node, weighted by their measures. Collective.
   std::vector<double> gradient(std::vector<double> const& p) const;
 
   // The point of the fault that is nearest to a place.
@@ -56,7 +69,9 @@ private:
 
   int num_corners_;
   std::vector<FaultFacet> facets_;
-  RCP<const Map> owned_, columns_;
+  Numbering nodes_, numbering_of_points_;
+  std::vector<int> point_of_column_; // of a node
+  FaultPoints points_;
 };
 
 // The facets of `surface`, which was made from this mesh. Collective.

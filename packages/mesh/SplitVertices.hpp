@@ -48,6 +48,16 @@ public:
     return found == crossing_of_plus_.end() ? nullptr : &found->second;
   }
 
+  // The vertex that stands for all vertices at a place of faults: the one that is the plus of no
+  // pair. A vertex apart from faults stands for itself.
+  int placeOf(int vertex) const
+  {
+    while (auto const* pair = find(vertex)) {
+      vertex = pair->minus;
+    }
+    return vertex;
+  }
+
   bool haveCrossings() const { return !crossing_of_plus_.empty(); }
 
 private:

@@ -4,9 +4,11 @@
 //
 // with the storage S (compressibility times porosity), the width w, the permeability k, the
 // viscosity eta and the rates q of wells, on the surface of the fault. Darcy's velocity is
-// -k / eta grad p. Where k changes
-// (Permeability.hpp), each step has that of its middle: steps stay of second order, but for changes
-// of sigma, which count from the step after.
+// -k / eta grad p. Where faults cross or join, all have one pressure, and what flows out of one
+// flows into the others: S w p_t at such a point is the sum over its nodes (fem/FaultPoints.hpp).
+//
+// Where k changes (Permeability.hpp), each step has that of its middle: steps stay of second order,
+// but for changes of sigma, which count from the step after.
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
@@ -84,23 +86,27 @@ public:
       : communicator_(context.surface.communicator())
       , inflow_(std::make_unique<Inflow>(parameters, context))
       , mesh_(context.mesh)
+      , at_points_("asperity::dynamics::pressureAtPoints", mesh_->points().numPoints())
   {
     requireGiven(parameters, context.path);
     NodalValues permeability;
+    Fixed fixed;
     onEveryRank(*communicator_, [&] {
       permeability = context.values("Permeability");
       permeability_.emplace(parameters, context, permeability);
-      start_ = context.values("Initial Pressure");
-      storage_ = context.values("Storage");
       width_ = context.values("Width");
       viscosity_ = context.values("Fluid Viscosity");
-      auto const fixed = context.values("Fixed Where");
-      for (std::size_t i = 0; i < storage_.size(); ++i) {
-        storage_[i] *= width_[i] * context.surface[static_cast<int>(i)].weight;
-        is_fixed_.push_back(fixed[i] > 0);
+      auto storage = context.values("Storage");
+      auto const fixed_where = context.values("Fixed Where");
+      for (std::size_t i = 0; i < storage.size(); ++i) {
+        storage[i] *= width_[i] * context.surface[static_cast<int>(i)].weight;
+        fixed.push_back(fixed_where[i] > 0);
       }
+      storage_ = mesh_->points().sums(storage);
+      start_ = mixed(context.values("Initial Pressure"), storage, fixed);
     });
-    requireFixedNodes(parameters, context.path);
+    requireFixedNodes(fixed, parameters, context.path);
+    is_fixed_ = atPoints(fixed);
     if (!permeability_->changes()) {
       diffusion_ = with(permeability);
     }
@@ -126,7 +132,16 @@ public:
     return all;
   }
 
-  std::vector<std::string> remarks() const override { return inflow_->remarks(); }
+  std::vector<std::string> remarks() const override
+  {
+    auto lines = inflow_->remarks();
+    if (const auto joints = mesh_->points().numJoints(); joints > 0) {
+      lines.push_back("Pore fluid flows from one fault into another at " +
+                      (joints == 1 ? "one place" : std::to_string(joints) + " places") +
+                      " where they cross or join.");
+    }
+    return lines;
+  }
 
   std::vector<ObservedField> observed() const override
   {
@@ -145,6 +160,8 @@ public:
   }
 
 private:
+  using Fixed = std::vector<bool>;
+
   static void requireGiven(Teuchos::ParameterList const& parameters, std::string const& path)
   {
     for (std::string const name : {"Permeability", "Storage", "Width"}) {
@@ -155,10 +172,11 @@ private:
   }
 
   // The number 0, which is the default, says that there are none.
-  void requireFixedNodes(Teuchos::ParameterList const& parameters, std::string const& path) const
+  void requireFixedNodes(Fixed const& fixed, Teuchos::ParameterList const& parameters,
+                         std::string const& path) const
   {
-    const auto fixed = std::count(is_fixed_.begin(), is_fixed_.end(), true);
-    const bool are_there = sumOverRanks(static_cast<std::int64_t>(fixed), *communicator_) > 0;
+    const auto mine = std::count(fixed.begin(), fixed.end(), true);
+    const bool are_there = sumOverRanks(static_cast<std::int64_t>(mine), *communicator_) > 0;
     ASPERITY_REQUIRE(are_there || numberIn(parameters.getEntry("Fixed Where")),
                      joinPath(path, "Fixed Where")
                        << " = " << valueText(parameters.getEntry("Fixed Where"))
@@ -166,6 +184,36 @@ private:
                           "impermeable. "
                           "Check its numbers against the places of the fault, allow for rounding "
                           "(abs(y + 40e3) < 1), or give 0.");
+  }
+
+  // A point is fixed if one of its nodes is.
+  Fixed atPoints(Fixed const& of_nodes) const
+  {
+    auto const& points = mesh_->points();
+    Fixed result(points.numPoints(), false);
+    for (std::size_t node = 0; node < of_nodes.size(); ++node) {
+      const int point = points[static_cast<int>(node)];
+      result[point] = result[point] || of_nodes[node];
+    }
+    return result;
+  }
+
+  // (num_nodes) p after the fluid of all nodes of a point has mixed: the mean by their storage,
+  // which keeps the volume. Where some of them are fixed, it is the mean of these.
+  NodalValues mixed(NodalValues p, NodalValues weights, Fixed const& fixed) const
+  {
+    auto const& points = mesh_->points();
+    auto const fixed_points = atPoints(fixed);
+    for (std::size_t node = 0; node < p.size(); ++node) {
+      if (fixed_points[points[static_cast<int>(node)]] && !fixed[node]) {
+        weights[node] = 0;
+      }
+    }
+    auto const means = points.means(p, weights);
+    for (std::size_t node = 0; node < p.size(); ++node) {
+      p[node] = means[points[static_cast<int>(node)]];
+    }
+    return p;
   }
 
   std::shared_ptr<DiffusionStep> with(NodalValues c) const // the permeability
@@ -186,8 +234,17 @@ private:
     if (!permeability_->dependsOnStress()) {
       return with(permeability_->after(from, tau / 2, before));
     }
-    with(permeability_->after(from, 0, before))->advance(tau / 2, before, q, p);
+    diffuse(*with(permeability_->after(from, 0, before)), tau / 2, before, q, p);
     return with(permeability_->after(from, tau / 2, p));
+  }
+
+  // p1(num_nodes) from p0(num_nodes); q(num_points).
+  void diffuse(DiffusionStep& step, double tau, ConstNodeView const& p0,
+               DiffusionStep::Sources const& q, NodeView const& p1) const
+  {
+    mesh_->points().gather(p0, at_points_);
+    step.advance(tau, at_points_, q, at_points_);
+    mesh_->points().scatter(at_points_, p1);
   }
 
   void advance(StepStart const& start, NodeView const& p) const
@@ -195,10 +252,10 @@ private:
     ASPERITY_TIME_WORK("pore pressure");
     DiffusionStep::Sources q;
     for (int k = 0; k < DiffusionStep::num_times; ++k) {
-      q[k] = inflow_->at(start.t + DiffusionStep::timeIn(k) * start.tau);
+      q[k] = mesh_->points().sums(inflow_->at(start.t + DiffusionStep::timeIn(k) * start.tau));
     }
     auto const diffusion = diffusion_ ? diffusion_ : inTheMiddle(start.from, start.tau, q, p);
-    diffusion->advance(start.tau, start.from.at(field_name), q, p);
+    diffuse(*diffusion, start.tau, start.from.at(field_name), q, p);
   }
 
   NodalValues permeabilityOf(State const& state) const
@@ -221,10 +278,12 @@ private:
   }
 
   RCP<const Communicator> communicator_;
-  NodalValues start_, storage_, width_, viscosity_; // (num_nodes), S w times the weight [m^3/Pa]
-  std::vector<bool> is_fixed_;
+  NodalValues start_, width_, viscosity_; // (num_nodes)
+  NodalValues storage_;                   // (num_points) S w times the weight [m^3/Pa]
+  Fixed is_fixed_;                        // (num_points)
   std::unique_ptr<Inflow> inflow_;
   std::shared_ptr<const fem::FaultMesh> mesh_;
+  NodeView at_points_; // (num_points) of a step
   std::optional<Permeability> permeability_;
   std::shared_ptr<DiffusionStep> diffusion_; // where the permeability does not change
 };
@@ -248,7 +307,7 @@ Teuchos::RCP<const Teuchos::ParameterList> PorePressure::validParameters()
     .field("Fluid Viscosity", 1e-3, "Pa s", Range::positive(), "The fluid has this viscosity.")
     .field("Fixed Where", 0., "-", Range::any(),
            "Where this is above zero, for example y < -39e3, the pressure keeps its initial value. "
-           "No fluid passes other edges of the fault.")
+           "No fluid passes the other edges of a fault, unless it ends there at another fault.")
     .field("Injection", 0., "m/s", Range::any(),
            "This volume flows into the fault per time and area, out of it if negative. It may "
            "depend on t.")
