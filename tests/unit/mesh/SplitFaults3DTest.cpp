@@ -124,6 +124,12 @@ TEST(SplitFaults3D, RefusesThreeFaultsThatCross)
                             {"level", [](auto& p) { return p[2] == 2.0; }},
                             {"main", isFlat}}),
                 {"Here: faults 'dyke', 'level' and 'main' cross at (2, 0, 2)", "8 parts"});
+  const auto is_diagonal = [](auto& p) { return std::abs(p[0] - 2.0 - p[1]) < 1e-9; };
+  expectRefused(
+    faultedBox(
+      {{"diagonal", is_diagonal}, {"dyke", [](auto& p) { return p[0] == 2.0; }}, {"main", isFlat}}),
+    {"Here: faults 'diagonal', 'dyke' and 'main' cross at (2, 0, 0)", "6 parts",
+     "two faults cross inside the body"});
   expectRefused(faultedBox({{"star", [](auto& p) { return isFlat(p) || isUpward(p); }}}),
                 {"3 facets of fault 'star' meet at (2, 0, "});
 }
