@@ -256,29 +256,35 @@ TEST(FaultMesh, OfPartsWithNamesIsThatOfOneFault)
   }
 }
 
-// Along x = 2 and y = 2 in a box, each with 5 nodes of its own along x = y = 2.
-TEST(FaultMesh, HasOneUnknownAtEachPlaceOfALineOfCrossings)
+// Along x = 2, from y = 0 or 2 on, and along y = 2 in a box: each has 5 nodes of its own along
+// x = y = 2, where they cross or the first one ends.
+TEST(FaultMesh, HasOneUnknownAtEachPlaceOfALineInSpace)
 {
-  auto whole = uniformBox({4, 4, 4}, {4, 4, 2});
-  mesh::addFaults<3>(whole, {{"first", [](auto& x) { return std::abs(x[0] - 2) < off; }},
-                             {"second", [](auto& x) { return std::abs(x[1] - 2) < off; }}});
-  distort(whole, 0.1);
-  mesh::splitFaults(whole, "test");
-  const Meshed<3> faults(whole, {"first", "second"}, OtherSide::body);
-  auto const& points = faults.mesh->points();
-  EXPECT_EQ(sumOverRanks(faults.surface->numNodes()), 50);
-  EXPECT_EQ(sumOverRanks(points.numPoints()), 45);
-  EXPECT_EQ(points.numJoints(), 5);
-  std::vector<double> c;
-  for (int node = 0; node < faults.surface->numNodes(); ++node) {
-    c.push_back(faults.is(node, 0) ? 2 : 5);
-  }
-  auto const K = faults.mesh->stiffness(c);
-  auto const p = faults.atPoints([](Place const& x) { return x[0] + 2 * x[1] + 3 * x[2]; });
-  // Of each, c times its area times the square of the gradient along it.
-  EXPECT_NEAR(sumOf(p, faults.product(*K, p)), 2 * 8 * (4 + 9) + 5 * 8 * (1 + 9), 1e-10);
-  for (const double rest : faults.product(*K, std::vector<double>(p.size(), 1e3))) {
-    EXPECT_NEAR(rest, 0, 1e-10);
+  for (const int from : {0, 2}) {
+    auto whole = uniformBox({4, 4, 4}, {4, 4, 2});
+    mesh::addFaults<3>(
+      whole, {{"first", [=](auto& x) { return std::abs(x[0] - 2) < off && x[1] > from - off; }},
+              {"second", [](auto& x) { return std::abs(x[1] - 2) < off; }}});
+    distort(whole, 0.1);
+    mesh::splitFaults(whole, "test");
+    const Meshed<3> faults(whole, {"first", "second"}, OtherSide::body);
+    auto const& points = faults.mesh->points();
+    const int num_nodes = 5 * (5 - from) + 25;
+    EXPECT_EQ(sumOverRanks(faults.surface->numNodes()), num_nodes);
+    EXPECT_EQ(sumOverRanks(points.numPoints()), num_nodes - 5);
+    EXPECT_EQ(points.numJoints(), 5);
+    std::vector<double> c;
+    for (int node = 0; node < faults.surface->numNodes(); ++node) {
+      c.push_back(faults.is(node, 0) ? 2 : 5);
+    }
+    auto const K = faults.mesh->stiffness(c);
+    auto const p = faults.atPoints([](Place const& x) { return x[0] + 2 * x[1] + 3 * x[2]; });
+    // Of each, c times its area times the square of the gradient along it.
+    EXPECT_NEAR(sumOf(p, faults.product(*K, p)), 2 * 2 * (4 - from) * (4 + 9) + 5 * 8 * (1 + 9),
+                1e-10);
+    for (const double rest : faults.product(*K, std::vector<double>(p.size(), 1e3))) {
+      EXPECT_NEAR(rest, 0, 1e-10);
+    }
   }
 }
 
