@@ -4,11 +4,10 @@
 #include "fem/constraints/HeldDofs.hpp"
 #include "fem/constraints/NodalFrames.hpp"
 #include "fem/constraints/VelocityCondition.hpp"
-#include "fem/constraints/detail/ConditionDirections.hpp"
-#include "fem/constraints/detail/NodalBasis.hpp"
+#include "fem/constraints/detail/ConstrainedNodes.hpp"
 #include "fem/dofs/DofMap.hpp"
 
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace asperity::fem
@@ -33,53 +32,24 @@ class Constraints
 {
 public:
   // sample_times: the times at which conditions that share a direction are compared [s].
+  // Collective.
   Constraints(Mesh<Dim> const& mesh, DofMap const& dofs,
               std::vector<VelocityCondition<Dim>> conditions,
-              std::vector<double> const& sample_times);
+              std::vector<double> const& sample_times)
+      : nodes_(detail::constrainNodes(mesh, dofs, std::move(conditions), sample_times))
+  {
+  }
 
-  NodalFrames const& frames() const { return frames_; }
+  NodalFrames const& frames() const { return nodes_.frames; }
   // Owned and ghost dofs whose velocity is prescribed.
-  HeldDofs const& held() const { return *held_; }
+  HeldDofs const& held() const { return nodes_.held; }
   // Sets v(owned dofs) to the prescribed velocity at time t [s] in nodal frames, and to zero at
   // dofs that are not held.
-  void prescribedVelocity(double t, Vector& v) const;
+  void prescribedVelocity(double t, Vector& v) const { nodes_.velocities.at(t, v); }
   // The owned dofs whose prescribed velocity may depend on time.
-  std::vector<int> dofsThatVary() const;
+  std::vector<int> dofsThatVary() const { return nodes_.velocities.dofsThatVary(); }
 
 private:
-  using Direction = detail::Direction;
-  using NodalDirections = detail::NodalDirections;
-  // The velocity of the row is the sum of the coefficients times the velocities of the conditions.
-  struct FixedRow
-  {
-    int dof;
-    int node;
-    detail::Terms terms;
-  };
-  std::vector<double> largestVelocities(NodalDirections const& directions,
-                                        Communicator const& communicator) const;
-  void holdNodes(DofMap const& dofs); // of VertexTerms
-  void constrain(DofMap const& dofs, int node, std::vector<Direction> const& directions);
-  int turnAt(std::vector<Direction> const& directions) const;
-  detail::NodalBasis makeFrame(int node, std::vector<Direction> const& directions,
-                               detail::NodalBasis const& prescribed) const;
-  int obliqueCondition(std::vector<Direction> const& directions,
-                       std::vector<std::vector<double>> const& to) const;
-  void requireAgreement(int node, int condition, detail::Terms const& terms) const;
-  bool dependsOnTime(FixedRow const& row) const;
-  double velocity(FixedRow const& row, double t) const;
-  void moveToDevice();
-  void shareWithGhosts(DofMap const& dofs);
-
-  std::vector<VelocityCondition<Dim>> conditions_;
-  std::vector<double> sample_times_;
-  NodalFrames frames_;
-  std::vector<int> held_flags_; // while the conditions are collected
-  std::optional<HeldDofs> held_;
-  std::vector<FixedRow> rows_; // whose velocity depends on time; all while they are collected
-  IndexView dofs_of_rows_, constant_dofs_;
-  ConstNodeView constant_velocities_; // at constant_dofs_
-  std::vector<Point<Dim>> owned_vertices_;
-  std::vector<double> largest_; // largest velocity of each condition at the sample times
+  detail::ConstrainedNodes<Dim> nodes_;
 };
 } // namespace asperity::fem

@@ -22,6 +22,10 @@ struct Overloaded : Cases...
 template <class... Cases>
 Overloaded(Cases...) -> Overloaded<Cases...>;
 
+// The square of the sine of the angle between d and the normal below which d has no direction along
+// the boundary: an angle of 1e-4, at which rounding of normals turns that direction by 1e-7.
+constexpr double least_square_of_sine = 1e-8;
+
 Components normalised(Components vector, std::string const& condition)
 {
   const double size = std::sqrt(detail::dot(vector, vector));
@@ -41,7 +45,7 @@ Components alongBoundary(VelocityCondition<Dim> const& condition, Components con
   ASPERITY_ASSERT(d.size() == 3);
   auto const n = normalised(normal, condition.name);
   auto const tangent = detail::withinPlane(n, d, at_right_angles);
-  ASPERITY_REQUIRE(detail::dot(tangent, tangent) > detail::parallel * detail::dot(d, d),
+  ASPERITY_REQUIRE(detail::dot(tangent, tangent) > least_square_of_sine * detail::dot(d, d),
                    condition.name << ": the direction (" << d[0] << ", " << d[1] << ", " << d[2]
                                   << ") is perpendicular to the boundary '" << condition.boundary
                                   << "' and has no part along it. Give another direction.");

@@ -93,7 +93,8 @@ struct SlidingWall
   static constexpr ZeroVelocity velocity = {};
 };
 
-// v . n = 0 on the fault, or on its continuation, between the body and a rigid foundation.
+// v . n = 0: the body slides on a rigid foundation along the fault, or along a boundary that
+// continues it. On a fault inside the body v is the jump over the fault, which then does not open.
 struct ContactAcrossFault
 {
   static constexpr auto normal = Normal::of_fault;

@@ -9,6 +9,12 @@ namespace asperity::fem::detail
 {
 namespace
 {
+// A direction depends on others if the sine of its angle to their span is below this: then rounding
+// would decide on what is left of it (NodalBasis.hpp has its size).
+constexpr double least_sine = 1e-8;
+// A component of a unit vector this close to 1 or -1 is one, up to the rounding of its length.
+constexpr double rounding_of_axis = 1e-14;
+
 void addScaled(std::vector<double>& a, double factor, std::vector<double> const& b)
 {
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -42,7 +48,7 @@ bool NodalBasis::add(std::vector<double> const& direction, Terms& terms)
     addScaled(terms, -along, velocities_[k]);
   }
   const double length = std::sqrt(dot(remainder, remainder));
-  if (length < parallel) {
+  if (length < least_sine) {
     return false;
   }
   for (double& x : remainder) {
@@ -105,7 +111,7 @@ std::vector<double> withinPlane(std::vector<double> const& normal,
 int axisOf(std::vector<double> const& direction)
 {
   for (std::size_t i = 0; i < direction.size(); ++i) {
-    if (std::abs(std::abs(direction[i]) - 1) < 1e-14) {
+    if (std::abs(std::abs(direction[i]) - 1) < rounding_of_axis) {
       return static_cast<int>(i);
     }
   }

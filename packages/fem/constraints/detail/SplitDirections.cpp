@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <iterator>
 #include <set>
 
@@ -45,7 +44,7 @@ std::vector<bool> areOnFaults(std::vector<VelocityCondition<Dim>> const& conditi
 
 bool areParallel(Direction const& a, Direction const& b)
 {
-  return 1 - std::abs(dot(a.vector, b.vector)) < parallel;
+  return isAlong(dot(a.vector, b.vector));
 }
 
 // The directions of conditions on other boundaries at N vertices of one place.
