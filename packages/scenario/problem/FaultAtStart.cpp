@@ -41,14 +41,15 @@ std::vector<double> givenStress(NodalField const& field, FieldNodes const& nodes
   return values;
 }
 
-// Of the pressure(num_nodes) of the static solution, where it is negative by more than rounding.
-std::vector<Warning> tensionAtStart(std::vector<double> const& pressure,
+// About the normal stress(num_nodes) of the static solution, where it is negative by more than
+// rounding.
+std::vector<Warning> tensionAtStart(std::vector<double> const& static_stress,
                                     fem::FaultSurface const& surface)
 {
-  constexpr double rounding = 1e-9; // of the largest pressure
+  constexpr double rounding = 1e-9; // of the largest stress
   auto const& communicator = *surface.communicator();
   double largest = 0, least = 0;
-  for (const double value : pressure) {
+  for (const double value : static_stress) {
     largest = std::max(largest, std::abs(value));
     least = std::min(least, value);
   }
@@ -58,9 +59,9 @@ std::vector<Warning> tensionAtStart(std::vector<double> const& pressure,
   int first = -1;
   for (int node = 0; node < surface.numNodes(); ++node) {
     const double weight = surface.slides(node) ? surface[node].weight : 0;
-    measure[0] += pressure[node] < -rounding * largest ? weight : 0;
+    measure[0] += static_stress[node] < -rounding * largest ? weight : 0;
     measure[1] += weight;
-    first = pressure[node] == lowest && first < 0 ? node : first;
+    first = static_stress[node] == lowest && first < 0 ? node : first;
   }
   measure = sumOverRanks(measure, communicator);
   if (!(measure[0] > 0)) {
@@ -88,7 +89,7 @@ struct NormalStressOfDeck
 
 template <int Dim>
 NormalStressOfDeck makeNormalStress(SetupContext<Dim> const& context,
-                                    std::vector<double> const& pressure)
+                                    std::vector<double> const& static_stress)
 {
   auto const& friction = context.settings.lists.friction;
   auto const& nodes = context.site.nodes;
@@ -98,7 +99,7 @@ NormalStressOfDeck makeNormalStress(SetupContext<Dim> const& context,
       toDevice(compression(values, factor), "asperity::scenario::normalStress"));
   };
   if (!isGiven(friction, "Normal Stress")) {
-    return {constant(pressure), tensionAtStart(pressure, *context.site.surface)};
+    return {constant(static_stress), tensionAtStart(static_stress, *context.site.surface)};
   }
   const NodalField given(friction, "Normal Stress", friction_path, nodes);
   auto const at_start = givenStress(given, nodes);
@@ -194,13 +195,13 @@ std::shared_ptr<const dynamics::FaultProcess> regularisation(SetupContext<Dim> c
 } // namespace
 
 template <int Dim>
-FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> const& pressure)
+FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> const& static_stress)
 {
   auto const& settings = context.settings.friction;
   auto const& list = context.settings.lists.friction;
   auto const& site = context.site;
   auto const& nodes = site.nodes;
-  auto given = makeNormalStress(context, pressure);
+  auto given = makeNormalStress(context, static_stress);
   requireSameState(settings.laws);
   auto const stress = given.normal_stress.following(
     context.bodyPresses() ? settings.normalStressChange() : dynamics::NormalStressChange::fixed,

@@ -1,6 +1,5 @@
 #include "scenario/problem/Problem.hpp"
 
-#include "dynamics/initial/FoundationPressure.hpp"
 #include "fem/BodyMatrices.hpp"
 #include "fem/SupportWeights.hpp"
 #include "scenario/problem/FaultAtStart.hpp"
@@ -60,7 +59,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
 
   // 4. The fault under the normal stress at the start.
   auto const start = staticStart(context, loaded.body, *loaded.static_load);
-  auto [fault, laws, warnings_of_stress] = makeFault(context, start.pressure);
+  auto [fault, laws, warnings_of_stress] = makeFault(context, start.normal_stress);
 
   // 5. The state at the start.
   auto initial =

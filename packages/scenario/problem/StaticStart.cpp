@@ -1,6 +1,6 @@
 #include "scenario/problem/StaticStart.hpp"
 
-#include "dynamics/initial/FoundationPressure.hpp"
+#include "dynamics/initial/StaticNormalStress.hpp"
 #include "dynamics/initial/StaticSolver.hpp"
 #include "fem/SupportWeights.hpp"
 #include "scenario/problem/StartRequirements.hpp"
@@ -41,8 +41,8 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
   if (!stress_given) {
     auto const support =
       fem::supportWeights(discretisation.mesh, surface, discretisation.boundary.velocities);
-    start.pressure =
-      dynamics::foundationPressure(body, discretisation.frames(), surface, support, load, *u);
+    start.normal_stress =
+      dynamics::staticNormalStress(body, discretisation.frames(), surface, support, load, *u);
   }
   if (start_static) {
     start.displacement = u;

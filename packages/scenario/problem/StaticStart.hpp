@@ -7,12 +7,13 @@
 
 namespace asperity::scenario
 {
-// The displacement at the start, and the pressure of the foundation in it.
+// The displacement at the start, and the normal stress on the fault in the static solution.
 struct StaticStart
 {
   RCP<Vector> displacement;
-  // (num fault nodes) [Pa]; zero if the deck gives it, or friction does not ask for it
-  std::vector<double> pressure;
+  // (num fault nodes) [Pa], positive in compression; zero if the deck gives it, or friction does
+  // not ask for it
+  std::vector<double> normal_stress;
 };
 
 // The static solution under the load at t = 0, where the deck asks for it or the normal stress

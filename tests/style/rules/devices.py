@@ -31,7 +31,7 @@ HOST = {
     "packages/tnnmg/correction/MultigridSymmetry.cpp": "set-up: the trial of the preconditioner",
     "packages/dynamics/fault/FaultMotion.cpp": "the message of a refusal",
     "packages/dynamics/observables/FaultSample.cpp": "the nodes of the fault, for outputs",
-    "packages/dynamics/initial/FoundationPressure.cpp": "set-up",
+    "packages/dynamics/initial/StaticNormalStress.cpp": "set-up",
     "packages/dynamics/initial/InitialAlpha.cpp": "set-up",
     "packages/dynamics/initial/InitialAcceleration.cpp": "set-up",
     "packages/dynamics/observables/LockedResponse.cpp": "set-up",

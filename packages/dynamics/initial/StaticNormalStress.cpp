@@ -1,11 +1,11 @@
-#include "dynamics/initial/FoundationPressure.hpp"
+#include "dynamics/initial/StaticNormalStress.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_Vector.hpp>
 
 namespace asperity::dynamics
 {
-std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const& frames,
+std::vector<double> staticNormalStress(Body const& body, fem::NodalFrames const& frames,
                                        fem::FaultSurface const& surface,
                                        std::vector<double> const& support, Vector const& load,
                                        Vector const& u)
@@ -16,16 +16,16 @@ std::vector<double> foundationPressure(Body const& body, fem::NodalFrames const&
   body.residual(load, {u, *rest, *rest, branches}, *unbalanced);
   auto const values = unbalanced->getLocalViewHost(Tpetra::Access::ReadOnly);
   const int components = body.dofs->components();
-  std::vector<double> pressure;
+  std::vector<double> normal_stress;
   for (int i = 0; i < surface.numNodes(); ++i) {
     std::array<double, 3> normal{};
     frames.toFrame(surface.vertex(i), surface[i].normal.data(), normal.data());
-    double outward = 0;
+    double outward = 0; // load - K u along the outward normal
     for (int c = 0; c < components; ++c) {
       outward += values(body.dofs->dof(surface.vertex(i), c), 0) * normal[c];
     }
-    pressure.push_back(outward / support[i]);
+    normal_stress.push_back(outward / support[i]);
   }
-  return pressure;
+  return normal_stress;
 }
 } // namespace asperity::dynamics
