@@ -15,6 +15,7 @@ std::size_t RecoveryRows::length() const
 
 bool RecoveryRows::add(std::vector<int> const& dofs)
 {
+  // Products with the rows would cost more than the motion of the whole body.
   if (dofs.size() * length() >= condensation_.factorEntries()) {
     are_refused_ = true;
     return false;

@@ -80,13 +80,14 @@ NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, GivenAtStart const&
   const NodeView rates("asperity::dynamics::V", num_nodes);
   slipRate(surface, start.w, rates);
   auto const V = toVector(rates);
+  auto const* const wanted =
+    kind == AlphaAtStart::steady ? "is steady" : "balances the shear traction";
   for (int node = 0; node < num_nodes; ++node) {
     ASPERITY_REQUIRE(V[node] > 0 || !surface.slides(node),
-                     where(node) << " the initial slip rate is zero, for which there is no such "
-                                    "state. "
-                                 << howToSlip(surface, node));
+                     where(node) << " the initial slip rate is zero, at which no state alpha "
+                                 << wanted << ". " << howToSlip(surface, node));
   }
-  // nan stays where no state does it
+  // The kernels leave nan where there is no such state.
   auto const found = toDevice(std::vector<double>(num_nodes, nan), "asperity::dynamics::alpha");
   if (kind == AlphaAtStart::steady) {
     fault.state().steadyState(rates, found);
@@ -101,8 +102,10 @@ NodeView initialAlpha(Fault const& fault, AlphaAtStart kind, GivenAtStart const&
       result(node) = start.given_alpha[node];
     }
     ASPERITY_REQUIRE(std::isfinite(result(node)),
-                     where(node) << " no state does this. Friction has to depend on the state; see "
-                                    "the parameters of the law.");
+                     where(node) << " no state alpha " << wanted << " at the initial slip rate, "
+                                 << formatShort(V[node])
+                                 << " m/s. Friction has to depend on the state; see the parameters "
+                                    "of the law.");
   }
   Kokkos::deep_copy(alpha, result);
   return alpha;

@@ -15,10 +15,10 @@ namespace asperity::dynamics
 {
 namespace
 {
-constexpr char const* of_pressure = "fluid_pressure";
-constexpr char const* name_of_temperature = "temperature";
+constexpr char const* pressure_field = "fluid_pressure";
+constexpr char const* temperature_field = "temperature";
 
-NodeView const& pressureOf(State const& state) { return state.at(of_pressure); }
+NodeView const& pressureOf(State const& state) { return state.at(pressure_field); }
 
 std::string nameOfMode(char const* quantity, int mode)
 {
@@ -34,7 +34,7 @@ struct ZoneFields
   ZoneFields(State const& state, int num_modes)
   {
     pressure = pressureOf(state);
-    temperature = state.at(name_of_temperature);
+    temperature = state.at(temperature_field);
     for (int i = 0; i < num_modes; ++i) {
       modes.temperature.push_back(state.at(nameOfMode("temperature", i)));
       modes.pressure.push_back(state.at(nameOfMode("pressure", i)));
@@ -56,9 +56,12 @@ void setPressureScale(ConstNodeView const& sigma_n, ConstNodeView const& p, Node
     });
 }
 
-// The image of p at y = 0, and the heat from which it follows. Friction changes with p in
-// proportion to sigma_n - p: with that the image is the fixed point itself once V stays.
-struct Balance
+// The image p' of the pressure p at y = 0, and the heat q' from which it follows:
+//   p' = rest + per_heat q',   q' = mean over the ends of the step of (friction times V)
+// Friction at the end was computed with p. It changes in proportion to sigma_n - p, so that with p'
+// its power is less by fall (p' - p), and q' = (twice_heat - fall (p' - p)) / 2. These two
+// equations give p', which is the fixed point itself once V stays.
+struct PressureAndHeat
 {
   ConstFlagView slides;
   ConstNodeView weights, slip_factors;
@@ -68,14 +71,14 @@ struct Balance
 
   KOKKOS_INLINE_FUNCTION void operator()(int node) const
   {
-    double twice_heat = 0, at_end = 0;
+    double twice_heat = 0, at_end = 0; // [W/m^2]
     for (int k = 0; slides(node) && k < after.extent_int(1); ++k) {
       const double V = slip_factors(node) * mean_velocity(node, k);
       at_end += after(node, k) / weights(node) * V;
       twice_heat += (before(node, k) + after(node, k)) / weights(node) * V;
     }
     const double effective = sigma_n(node) - p(node);
-    const double fall = effective > 0 && at_end > 0 ? at_end / effective : 0; // of at_end with p
+    const double fall = effective > 0 && at_end > 0 ? at_end / effective : 0; // of at_end per Pa
     const double per_twice = per_heat(node) / 2;
     image(node) = (rest(node) + per_twice * (twice_heat + fall * p(node))) / (1 + per_twice * fall);
     heat(node) = (twice_heat - fall * (image(node) - p(node))) / 2;
@@ -92,6 +95,7 @@ public:
       : zone_(std::move(zone))
       , weights_(surface.weights())
       , slip_factors_(surface.slipFactors())
+      , slides_(surface.slidingNodes())
       , rest_("asperity::dynamics::restOfPressure", surface.numNodes())
       , per_heat_("asperity::dynamics::pressurePerHeat", surface.numNodes())
       , heat_("asperity::dynamics::heat", surface.numNodes())
@@ -103,11 +107,6 @@ public:
                  surface.numTangents())
       , kinked_("asperity::dynamics::kinked", surface.numNodes())
   {
-    std::vector<int> slides;
-    for (int node = 0; node < surface.numNodes(); ++node) {
-      slides.push_back(surface.slides(node) ? 1 : 0);
-    }
-    slides_ = toDevice(slides, "asperity::dynamics::slides");
   }
 
   NodeView valuesIn(State const& state) const override { return pressureOf(state); }
@@ -125,12 +124,12 @@ public:
     step.solver.faultVelocity(velocity_);
     step.friction.linearise(velocity_, after_, hessian_, kinked_);
     Kokkos::parallel_for("asperity::dynamics::balancePressure", RangePolicy(0, image.extent_int(0)),
-                         Balance{slides_, weights_, slip_factors_, step.mean_velocity, before_,
-                                 after_, rest_, per_heat_, step.to.sigma_n, valuesIn(step.to),
-                                 image, heat_});
+                         PressureAndHeat{slides_, weights_, slip_factors_, step.mean_velocity,
+                                         before_, after_, rest_, per_heat_, step.to.sigma_n,
+                                         valuesIn(step.to), image, heat_});
     return 0;
   }
-  // Modes that follow from the pressure before the step need the pressure that follows from them.
+  // The modes at the end of the step follow from the heat of the last image, and give its pressure.
   bool endsWithImage() const override { return true; }
   ConstNodeView scale() const override { return scale_; }
   void complete(State const& from, double tau, State const& to) override
@@ -155,7 +154,7 @@ struct ModeSettings
   int num_modes = 60;
 };
 
-// They join those of the list.
+// The entry that is a number and not a field, declared in `list`, which has the others.
 Entries<ModeSettings> modeEntries(ParameterList& list)
 {
   Entries<ModeSettings> entries({}, list);
@@ -238,9 +237,9 @@ std::vector<State::Added> ThermalPressurisation::fields(State const&) const
     return values;
   };
   constexpr bool is_guessed = true;
-  Kokkos::deep_copy(add({of_pressure, "pressure of the fluid in the fault", "Pa", is_guessed}),
+  Kokkos::deep_copy(add({pressure_field, "pressure of the fluid in the fault", "Pa", is_guessed}),
                     zone_->properties().pressure);
-  Kokkos::deep_copy(add({name_of_temperature, "temperature of the fault", "K"}),
+  Kokkos::deep_copy(add({temperature_field, "temperature of the fault", "K"}),
                     zone_->properties().temperature);
   for (auto const& [name, unit] :
        {std::pair("temperature", "K m"), std::pair("pressure", "Pa m")}) {

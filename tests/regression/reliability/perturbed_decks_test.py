@@ -47,7 +47,7 @@ MADE_TOGETHER = {
     "The static problem has no solution": ["upper"],
     "friction would have to push": ["Density", "Slip Direction", "Slip Rate", "Velocity X",
                                     "Velocity Z"],
-    "no state does this": ["Reference Friction Coefficient", "Slip Rate", "a"],
+    "no state alpha": ["Reference Friction Coefficient", "Slip Rate", "a"],
     "the initial slip rate is zero": ["Slip Rate"],
     "the boundary has no facet": ["Height", "Size", "creeping"],
     "the fault has no facet": ["Cell Size", "Lower Left"],
