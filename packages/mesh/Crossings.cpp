@@ -22,9 +22,10 @@ std::map<int, std::vector<int>> plusesOf(std::vector<SplitVertex> const& splits)
   return pluses;
 }
 
-// The names that have this vertex, as in NamedCrossing; empty where a part has no facet of them.
+// The name of the fault that has this vertex, as in NamedCrossing: that of each of its boundaries
+// there, joined by "/". Empty on a part without a facet of it.
 template <template <int> class AnyMesh, int Dim>
-std::string faultAt(AnyMesh<Dim> const& mesh, int plus)
+std::string nameOfFaultAt(AnyMesh<Dim> const& mesh, int plus)
 {
   std::string names;
   for (auto const& name : mesh.faults) {
@@ -40,8 +41,8 @@ std::string faultAt(AnyMesh<Dim> const& mesh, int plus)
 template <template <int> class AnyMesh, int Dim>
 std::array<std::string, 2> namesOf(AnyMesh<Dim> const& mesh, Crossing const& crossing)
 {
-  std::array<std::string, 2> names = {faultAt(mesh, crossing.plus[0]),
-                                      faultAt(mesh, crossing.plus[1])};
+  std::array<std::string, 2> names = {nameOfFaultAt(mesh, crossing.plus[0]),
+                                      nameOfFaultAt(mesh, crossing.plus[1])};
   std::sort(names.begin(), names.end());
   return names;
 }

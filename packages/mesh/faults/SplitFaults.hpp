@@ -23,13 +23,14 @@ namespace asperity::mesh
 // other one has a tip on each side of it. Copies are numbered after the original vertices, in the
 // order of these; cells and facets keep their order.
 //
-// Names: faults of two names that end in one place, and where no other one is, are one fault there,
-// which may bend. Where others are, two that end are one fault
-// - if they end on both sides of a fault that goes on, or four or more end, and the two bend by at
-//   most 30 degrees from one into the other;
-// - or if three end, and the two bend by at most 60 degrees, and by 10 degrees less than each other
-//   pair. The third one is a branch.
-// The vertices that they share belong to the facets of both.
+// Names: two faults that end at one place, where no other fault is, are one fault there, whatever
+// the angle at which it bends. Where there are other faults, two that end are one fault if the
+// angle between one and the straight continuation of the other is
+// - at most 30 degrees, where they lie on opposite sides of a fault that goes on, or where four or
+//   more faults end;
+// - at most 60 degrees, where three faults end, and at least 10 degrees less than for each other
+//   pair of the three. The third one is a branch.
+// The vertices that the two share belong to the facets of both.
 //
 // InputError, which starts with `where`, for three faults that end in one place or meet and go on,
 // for faults that otherwise need more copies of a vertex, that touch without crossing, that cannot

@@ -2,9 +2,11 @@
 
 #include "mesh/SimplexGeometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace asperity::mesh::detail
 {
@@ -169,52 +171,84 @@ private:
   std::vector<Pair> go_on_;
   std::vector<int> ends_;
 };
+
+// All joints, with the faults that meet at each.
+template <int Dim>
+struct Joints
+{
+  std::vector<Joint<Dim>> all;
+  std::vector<std::vector<int>> faults; // (num_joints) of the facets, in their order
+
+  Joints(GlobalMesh<Dim> const& mesh, std::vector<FaultFacet<Dim>> const& facets,
+         std::map<Ridge<Dim>, std::vector<int>> const& facets_of_ridges)
+  {
+    for (auto const& [ridge, numbers] : facets_of_ridges) {
+      all.push_back(jointOf(mesh, facets, ridge, numbers));
+      std::vector<int> there;
+      for (int facet : all.back().facets) {
+        there.push_back(facets[facet].fault);
+      }
+      faults.push_back(std::move(there));
+    }
+  }
+
+  // The numbers of the joints in lines: those of a line have the same faults, and each has a vertex
+  // in common with one before it. Lines are in the order of their first joints.
+  std::vector<std::vector<int>> lines() const
+  {
+    const auto neighbours = byFaultsAndVertex();
+    std::vector<std::vector<int>> result;
+    std::vector<bool> is_taken(all.size(), false);
+    for (std::size_t first = 0; first < all.size(); ++first) {
+      if (is_taken[first]) {
+        continue;
+      }
+      std::vector<int> line = {static_cast<int>(first)};
+      is_taken[first] = true;
+      for (std::size_t next = 0; next < line.size(); ++next) {
+        for (int vertex : all[line[next]].ridge) {
+          for (int other : neighbours.at({faults[first], vertex})) {
+            if (!is_taken[other]) {
+              is_taken[other] = true;
+              line.push_back(other);
+            }
+          }
+        }
+      }
+      result.push_back(std::move(line));
+    }
+    return result;
+  }
+
+private:
+  std::map<std::pair<std::vector<int>, int>, std::vector<int>> byFaultsAndVertex() const
+  {
+    std::map<std::pair<std::vector<int>, int>, std::vector<int>> numbers;
+    for (std::size_t joint = 0; joint < all.size(); ++joint) {
+      for (int vertex : all[joint].ridge) {
+        numbers[{faults[joint], vertex}].push_back(static_cast<int>(joint));
+      }
+    }
+    return numbers;
+  }
+};
 } // namespace
 
 template <int Dim>
 std::vector<Continuation<Dim>> continuations(GlobalMesh<Dim> const& mesh,
                                              std::vector<FaultFacet<Dim>> const& facets,
-                                             std::map<Ridge<Dim>, std::vector<int>> const& joints)
+                                             std::map<Ridge<Dim>, std::vector<int>> const& ridges)
 {
-  std::vector<Joint<Dim>> all;
-  std::map<std::vector<int>, std::map<int, std::vector<int>>> at; // joints by faults and vertex
-  std::vector<std::vector<int>> faults;
-  for (auto const& [ridge, numbers] : joints) {
-    const auto number = static_cast<int>(all.size());
-    all.push_back(jointOf(mesh, facets, ridge, numbers));
-    std::vector<int> there;
-    for (int facet : all.back().facets) {
-      there.push_back(facets[facet].fault);
-    }
-    for (int vertex : ridge) {
-      at[there][vertex].push_back(number);
-    }
-    faults.push_back(std::move(there));
-  }
+  const Joints<Dim> joints(mesh, facets, ridges);
   std::vector<Continuation<Dim>> result;
-  std::vector<bool> is_done(all.size(), false);
-  for (std::size_t first = 0; first < all.size(); ++first) {
-    if (is_done[first]) {
-      continue;
-    }
-    std::vector<int> line = {static_cast<int>(first)};
-    is_done[first] = true;
-    for (std::size_t next = 0; next < line.size(); ++next) {
-      for (int vertex : all[line[next]].ridge) {
-        for (int other : at.at(faults[first]).at(vertex)) {
-          if (!is_done[other]) {
-            is_done[other] = true;
-            line.push_back(other);
-          }
-        }
-      }
-    }
-    std::vector<Joint<Dim> const*> its;
+  for (auto const& line : joints.lines()) {
+    std::vector<Joint<Dim> const*> of_line;
     for (int number : line) {
-      its.push_back(&all[number]);
+      of_line.push_back(&joints.all[number]);
     }
-    for (auto const& [a, b] : Line<Dim>(faults[first], its).continuations()) {
-      for (auto const* joint : its) {
+    const auto pairs = Line<Dim>(joints.faults[line.front()], of_line).continuations();
+    for (auto const& [a, b] : pairs) {
+      for (auto const* joint : of_line) {
         result.push_back({joint->ridge, {joint->facets[a], joint->facets[b]}});
       }
     }

@@ -19,11 +19,11 @@ struct Continuation
 };
 
 // Where more than two facets meet, the faults of different names that go on into each other, as
-// SplitFaults.hpp says. `joints` are such ridges with the numbers of their facets, at most two of
+// SplitFaults.hpp says. `ridges` are such ridges with the numbers of their facets, at most two of
 // a fault. Ridges that follow one another, with the same faults, are a line: bends are means along
 // it, so that all of the line is decided alike.
 template <int Dim>
 std::vector<Continuation<Dim>> continuations(GlobalMesh<Dim> const& mesh,
                                              std::vector<FaultFacet<Dim>> const& facets,
-                                             std::map<Ridge<Dim>, std::vector<int>> const& joints);
+                                             std::map<Ridge<Dim>, std::vector<int>> const& ridges);
 } // namespace asperity::mesh::detail

@@ -142,11 +142,10 @@ private:
     throw InputError(
       where_ + ": " + namesOf(faults_) + " meet at " + text(vertex_.place) +
       ", where each of them ends and no two of them are clearly the straightest pair. One fault "
-      "has "
-      "to go on there, and another one to end at it as a branch, without slip at this node. Give "
-      "the two that are to be one fault the same name: one physical group, one condition in Mesh / "
-      "Faults, or one name by 'asperity-mesh convert --names 3=main,4=main' for groups 3 and 4. Or "
-      "let one of the three end before it reaches the others.");
+      "has to go on there, and another one to end at it as a branch, without slip at this node. "
+      "Give the two that are to be one fault the same name: one physical group, one condition in "
+      "Mesh / Faults, or one name by 'asperity-mesh convert --names 3=main,4=main' for groups 3 "
+      "and 4. Or let one of the three end before it reaches the others.");
   }
 
   int setOf(Sets const& sets, int cell) const
