@@ -16,10 +16,11 @@ namespace asperity::fem
 // Where two faults cross, the node of `mean` carries the mean of the four vertices, those of plus
 // the jumps d1 over the first fault and d2 over the second one, which go on through the crossing:
 //
-//   v = m +- d1/2 +- d2/2, with + on the plus side of this fault
+//   v = m + s1 d1/2 + s2 d2/2
 //
-// The fourth combination of four vertices adds +- e/4 with the product of the two signs: the slip
-// of each fault differs by e on the two sides of the other one. In the plane it would open a fault.
+// where s1 is 1 on the plus side of the first fault and -1 on its minus side, s2 likewise for the
+// second one. The fourth combination of four vertices adds s1 s2 e/4: the slip of each fault
+// differs by e on the two sides of the other one. In the plane it would open a fault.
 // In space, along the line of the crossing, it would not; there the restriction to e = 0 converges
 // with the cell size. It is held at zero at the node of `both`.
 //
