@@ -1,5 +1,7 @@
 #include "dynamics/RateUpdate.hpp"
 
+#include "dynamics/MeanDecay.hpp"
+
 #include <Tpetra_Vector.hpp>
 
 #include <cmath>
@@ -10,13 +12,6 @@ namespace
 {
 auto readOnly(Vector const& x) { return x.getLocalViewDevice(Tpetra::Access::ReadOnly); }
 auto overwritten(Vector& x) { return x.getLocalViewDevice(Tpetra::Access::OverwriteAll); }
-
-// phi of a relaxation time; 1 for steps much shorter than it.
-double share(double tau, double time)
-{
-  const double x = tau / time;
-  return x > 0 ? -std::expm1(-x) / x : 1;
-}
 } // namespace
 
 RateUpdate RateUpdate::newmark(double beta)
@@ -66,7 +61,7 @@ fem::Weights RateUpdate::weights(double tau, fem::BodyMatrices const& body) cons
 {
   fem::Weights result = {mass_weight / tau, 1, tau * stiffness_weight};
   for (auto const& branch : body.branches) {
-    result.branches.push_back(share(tau, branch.time) * result.stiffness);
+    result.branches.push_back(meanDecay(tau / branch.time) * result.stiffness);
   }
   return result;
 }
@@ -75,7 +70,7 @@ void RateUpdate::relax(fem::BodyMatrices const& body, State const& from, double 
                        Vector const& u1, std::vector<RCP<Vector>> const& d1)
 {
   for (std::size_t k = 0; k < body.branches.size(); ++k) {
-    const double time = body.branches[k].time, phi = share(tau, time);
+    const double time = body.branches[k].time, phi = meanDecay(tau / time);
     d1[k]->update(phi, u1, -phi, *from.u, 0);
     d1[k]->update(std::exp(-tau / time), *from.branches[k], 1);
   }

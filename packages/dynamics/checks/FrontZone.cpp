@@ -1,6 +1,7 @@
 #include "dynamics/checks/FrontZone.hpp"
 
 #include "base/parallel/Reductions.hpp"
+#include "dynamics/fault/FaultMotion.hpp"
 #include "portability/Views.hpp"
 
 #include <algorithm>
@@ -29,21 +30,6 @@ FrontZone::FrontZone(std::vector<double> modulus, std::vector<double> const& b,
   slides_ = toDevice(counts, "asperity::dynamics::slides");
 }
 
-namespace
-{
-double fastestOf(ConstNodeView const& V, ConstFlagView const& slides)
-{
-  double result = 0;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::fastestNode", RangePolicy(0, V.extent(0)),
-    KOKKOS_LAMBDA(int node, double& fastest) {
-      fastest = slides(node) && V(node) > fastest ? V(node) : fastest;
-    },
-    Kokkos::Max<double>(result));
-  return std::max(result, 0.); // a rank may have no nodes
-}
-} // namespace
-
 // The slope of alpha along slip is that of the law's flow over a small slip, the same time for all
 // nodes. Those that slip far more slowly than the fastest one would lose it to rounding.
 std::optional<FrontZone::Narrowest>
@@ -52,7 +38,7 @@ FrontZone::narrowest(friction::StateKernels const& state, ConstNodeView const& V
 {
   constexpr double small_slip = 1e-4; // of L
   constexpr double fast = 0.1;        // of the largest slip rate
-  const double fastest = maxOverRanks(fastestOf(V, slides_), *communicator_);
+  const double fastest = maxOverRanks(largestWhere(slides_, V), *communicator_);
   if (!(fastest > 0)) {
     return std::nullopt;
   }

@@ -178,48 +178,63 @@ double largestOf(ConstNodeView const& values)
   return std::max(result, 0.); // a rank may have no nodes
 }
 
+double largestWhere(ConstFlagView const& flags, ConstNodeView const& values)
+{
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::largestWhere", RangePolicy(0, values.extent(0)),
+    KOKKOS_LAMBDA(int node, double& largest) {
+      largest = flags(node) && values(node) > largest ? values(node) : largest;
+    },
+    Kokkos::Max<double>(result));
+  return std::max(result, 0.); // a rank may have no nodes
+}
+
 double peakSlipRate(fem::FaultSurface const& surface, ConstNodeView const& V)
 {
-  auto const counts = surface.countedNodes();
-  double mine = 0;
-  Kokkos::parallel_reduce(
-    "asperity::dynamics::peakSlipRate", RangePolicy(0, surface.numNodes()),
-    KOKKOS_LAMBDA(int node, double& largest) {
-      largest = counts(node) && V(node) > largest ? V(node) : largest;
-    },
-    Kokkos::Max<double>(mine));
-  return maxOverRanks(std::max(mine, 0.), *surface.communicator()); // a rank may have no nodes
+  return maxOverRanks(largestWhere(surface.countedNodes(), V), *surface.communicator());
 }
+
+namespace
+{
+// The largest |a - b| on this rank. A nan counts as an infinite difference; a plain maximum would
+// ignore it.
+double largestDifference(ConstNodeView const& a, ConstNodeView const& b)
+{
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::largestDifference", RangePolicy(0, a.extent(0)),
+    KOKKOS_LAMBDA(int node, double& largest) {
+      const double difference = a(node) < b(node) ? b(node) - a(node) : a(node) - b(node);
+      largest = difference <= largest ? largest : difference >= 0 ? difference : INFINITY;
+    },
+    Kokkos::Max<double>(result));
+  return std::max(result, 0.); // a rank may have no nodes
+}
+
+// The sum of weight (a - b)^2 on this rank.
+double sumOfSquares(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeView const& b)
+{
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::dynamics::sumOfSquares", RangePolicy(0, weight.extent(0)),
+    KOKKOS_LAMBDA(int node, double& sum) {
+      const double difference = a(node) - b(node);
+      sum += weight(node) * difference * difference;
+    },
+    result);
+  return result;
+}
+} // namespace
 
 double distance(fem::FaultSurface const& surface, ConstNodeView const& a, ConstNodeView const& b,
                 Norm norm)
 {
-  auto const weight = surface.weights();
-  double mine = 0;
-  const bool largest = norm == Norm::maximum;
-  auto const nodes = RangePolicy(0, surface.numNodes());
-  if (largest) {
-    // A nan counts as an infinite difference; a plain maximum would ignore it.
-    Kokkos::parallel_reduce(
-      "asperity::dynamics::maximumDistance", nodes,
-      KOKKOS_LAMBDA(int node, double& maximum) {
-        const double difference = a(node) < b(node) ? b(node) - a(node) : a(node) - b(node);
-        maximum = difference <= maximum ? maximum : difference >= 0 ? difference : INFINITY;
-      },
-      Kokkos::Max<double>(mine));
-  } else {
-    Kokkos::parallel_reduce(
-      "asperity::dynamics::distance", nodes,
-      KOKKOS_LAMBDA(int node, double& sum) {
-        const double difference = a(node) - b(node);
-        sum += weight(node) * difference * difference;
-      },
-      mine);
+  auto const& communicator = *surface.communicator();
+  if (norm == Norm::maximum) {
+    return maxOverRanks(largestDifference(a, b), communicator);
   }
-  if (largest) { // a rank without nodes has no maximum
-    return maxOverRanks(std::max(mine, 0.), *surface.communicator());
-  }
-  const double sum = sumOverRanks(mine, *surface.communicator());
+  const double sum = sumOverRanks(sumOfSquares(surface.weights(), a, b), communicator);
   return surface.numGlobalNodes() == 0 ? 0 : std::sqrt(sum / surface.totalWeight());
 }
 } // namespace asperity::dynamics

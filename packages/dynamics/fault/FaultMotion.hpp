@@ -48,8 +48,10 @@ void setZeroSlipRate(fem::FaultSurface const& surface, Vector& v);
 // on the device.
 void slipRate(fem::FaultSurface const& surface, ConstBlockView const& v, NodeView const& V);
 
-// The largest of values(num_nodes) on this rank, at least 0.
+// The largest of values(num_nodes) on this rank, at least 0: of all, or where flags(num_nodes) are
+// set.
 double largestOf(ConstNodeView const& values);
+double largestWhere(ConstFlagView const& flags, ConstNodeView const& values);
 
 // The largest of the slip rates V(num_nodes) [m/s] over all ranks, at nodes that count
 // (fem::FaultSurface::counts). Collective.

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Types.hpp"
+#include "dynamics/MeanDecay.hpp"
 #include "portability/Renamed.hpp"
 
 #include <cmath>
@@ -14,9 +15,6 @@ namespace
 // Below the smallest, modes do not decay: heat that has spread over w / 1e-8, after 1e16 w^2 /
 // alpha_th, stays at the fault.
 constexpr double smallest_wavenumber = 1e-8, largest_wavenumber = 6;
-
-// (1 - exp(-x)) / x for x >= 0.
-KOKKOS_INLINE_FUNCTION double meanDecay(double x) { return x > 0 ? -math::expm1(-x) / x : 1; }
 
 // What a step does to a mode at a node.
 struct ModeStep

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "dynamics/watches/PowersOfTen.hpp"
 #include "parameters/Entries.hpp"
 
 #include <algorithm>
@@ -20,14 +21,6 @@ constexpr double part_of_L_within = 1.0; // in a step that meets the tolerance
 // 1e-5 and 1.1 L with 1e-3, and no event is lost; they reach 3 L with 0.01, and one of 28 events is
 // lost, and 8 L with 0.1, and all are lost.
 constexpr double most_slow_slip = 2.0; // in units of L
-
-bool isPowerOfTen(std::int64_t count)
-{
-  while (count % 10 == 0) {
-    count /= 10;
-  }
-  return count == 1;
-}
 
 struct GrowthSettings
 {

@@ -2,21 +2,18 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
+#include "dynamics/watches/PowersOfTen.hpp"
 #include "parameters/Entries.hpp"
 
 namespace asperity::dynamics
 {
 namespace
 {
-constexpr std::int64_t first_warning = 100;
-
-// first_warning times 1, 10, 100, ...
+// Whether a count of steps is 100, 1000, ...
 bool isLogged(std::int64_t count)
 {
-  while (count > first_warning && count % 10 == 0) {
-    count /= 10;
-  }
-  return count == first_warning;
+  constexpr std::int64_t first = 100;
+  return count % first == 0 && isPowerOfTen(count / first);
 }
 
 struct StallSettings
@@ -34,8 +31,8 @@ Entries<StallSettings> stallEntries()
 }
 
 constexpr char const* advice = "Try a smaller 'Smallest Step', a looser tolerance if it is below "
-                               "1e-6, and check "
-                               "the slip rates, lengths and stresses of the friction law.";
+                               "1e-6, and check the slip rates, "
+                               "lengths and stresses of the friction law.";
 } // namespace
 
 Teuchos::RCP<const Teuchos::ParameterList> StallWatch::validParameters()
