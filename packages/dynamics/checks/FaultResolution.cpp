@@ -50,52 +50,6 @@ double crossingTime(fem::Material const& material, double length)
 {
   return length * std::sqrt(material.density / material.shear_modulus);
 }
-// The smallest values over nodes; of the largest ones the smallest with the opposite sign.
-struct Minima
-{
-  static constexpr double none = std::numeric_limits<double>::max();
-  double smallest_cell = none;
-  double minus_largest_cell = none;
-  double cohesive_zone = none;
-  double nucleation_length = none;
-  double unstable_wavelength = none;
-  double cells_per_zone = none;
-  double minus_cell_height = none;
-  double slip_distance = none;
-  double seismic_time = none;
-  double crossing_time = none;
-
-  void include(Minima const& other);
-  Minima overRanks(Communicator const& communicator) const;
-};
-
-constexpr std::array minima_members = {&Minima::smallest_cell,       &Minima::minus_largest_cell,
-                                       &Minima::cohesive_zone,       &Minima::nucleation_length,
-                                       &Minima::unstable_wavelength, &Minima::cells_per_zone,
-                                       &Minima::minus_cell_height,   &Minima::slip_distance,
-                                       &Minima::seismic_time,        &Minima::crossing_time};
-static_assert(sizeof(Minima) == minima_members.size() * sizeof(double), "every member is listed");
-
-void Minima::include(Minima const& other)
-{
-  for (auto const member : minima_members) {
-    this->*member = std::min(other.*member, this->*member);
-  }
-}
-
-Minima Minima::overRanks(Communicator const& communicator) const
-{
-  std::array<double, minima_members.size()> values;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = this->*minima_members[i];
-  }
-  values = minOverRanks(values, communicator);
-  Minima result;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    result.*minima_members[i] = values[i];
-  }
-  return result;
-}
 } // namespace
 
 double slipModulus(fem::Material const& material, int components, fem::OtherSide const& other_side)
@@ -162,6 +116,79 @@ std::optional<Weakening> weakeningAt(int node, FrictionOfNodes const& friction, 
   const double nucleation = slipWeakeningLength(modulus, drop[node], distance, sigma);
   return Weakening{slipWeakeningZone(modulus, drop[node], distance, sigma), nucleation, nucleation,
                    drop[node] * sigma};
+}
+
+// The extremes that FaultResolution has of values at nodes.
+constexpr std::array smallest_of_nodes = {
+  &FaultResolution::smallest_cell,     &FaultResolution::cohesive_zone,
+  &FaultResolution::nucleation_length, &FaultResolution::unstable_wavelength,
+  &FaultResolution::cells_per_zone,    &FaultResolution::slip_distance,
+  &FaultResolution::seismic_time,      &FaultResolution::crossing_time};
+constexpr std::array largest_of_nodes = {&FaultResolution::largest_cell,
+                                         &FaultResolution::cell_height};
+
+// Of no node.
+FaultResolution noExtremes()
+{
+  FaultResolution result{};
+  for (auto const member : smallest_of_nodes) {
+    result.*member = std::numeric_limits<double>::max();
+  }
+  for (auto const member : largest_of_nodes) {
+    result.*member = std::numeric_limits<double>::lowest();
+  }
+  return result;
+}
+
+void include(FaultResolution const& node, FaultResolution& extremes)
+{
+  for (auto const member : smallest_of_nodes) {
+    extremes.*member = std::min(node.*member, extremes.*member);
+  }
+  for (auto const member : largest_of_nodes) {
+    extremes.*member = std::max(node.*member, extremes.*member);
+  }
+}
+
+FaultResolution overRanks(FaultResolution extremes, Communicator const& communicator)
+{
+  std::array<double, smallest_of_nodes.size()> smallest;
+  std::array<double, largest_of_nodes.size()> largest;
+  for (std::size_t i = 0; i < smallest.size(); ++i) {
+    smallest[i] = extremes.*smallest_of_nodes[i];
+  }
+  for (std::size_t i = 0; i < largest.size(); ++i) {
+    largest[i] = extremes.*largest_of_nodes[i];
+  }
+  smallest = minOverRanks(smallest, communicator);
+  largest = maxOverRanks(largest, communicator);
+  for (std::size_t i = 0; i < smallest.size(); ++i) {
+    extremes.*smallest_of_nodes[i] = smallest[i];
+  }
+  for (std::size_t i = 0; i < largest.size(); ++i) {
+    extremes.*largest_of_nodes[i] = largest[i];
+  }
+  return extremes;
+}
+
+// The values at a place that weakens.
+FaultResolution resolutionAt(int place, FaultPlaces const& places, fem::Material const& material,
+                             FrictionOfNodes const& friction, Weakening const& weakening)
+{
+  auto const& cells = places.cells[place];
+  const double L = friction.L[place];
+  FaultResolution result{};
+  result.smallest_cell = cells.smallest;
+  result.largest_cell = cells.largest;
+  result.cohesive_zone = weakening.zone;
+  result.nucleation_length = weakening.nucleation;
+  result.unstable_wavelength = weakening.wavelength;
+  result.cells_per_zone = weakening.zone / cells.largest;
+  result.cell_height = cells.height;
+  result.slip_distance = L;
+  result.seismic_time = L / seismicRate(material, places.other_side, weakening.stress_drop);
+  result.crossing_time = crossingTime(material, cells.smallest);
+  return result;
 }
 } // namespace
 
@@ -252,49 +279,26 @@ std::optional<FaultResolution> faultResolution(FaultPlaces const& places, int co
                                                FrictionOfNodes const& friction,
                                                Communicator const& communicator)
 {
-  Minima mine;
-  double weakening = 0;
+  FaultResolution mine = noExtremes();
+  double measure = 0; // of what weakens
   bool weakens_everywhere = true;
   for (std::size_t i = 0; i < places.cells.size(); ++i) {
+    const int place = static_cast<int>(i);
     const double modulus = slipModulus(materials[i], components, places.other_side);
-    auto const here = weakeningAt(static_cast<int>(i), friction, modulus);
-    if (!here) {
+    auto const weakening = weakeningAt(place, friction, modulus);
+    if (!weakening) {
       weakens_everywhere = false;
       continue;
     }
-    weakening += places.weights[i];
-    auto const& cells = places.cells[i];
-    Minima at_node;
-    at_node.smallest_cell = cells.smallest;
-    at_node.minus_largest_cell = -cells.largest;
-    at_node.cohesive_zone = here->zone;
-    at_node.nucleation_length = here->nucleation;
-    at_node.unstable_wavelength = here->wavelength;
-    at_node.cells_per_zone = here->zone / cells.largest;
-    at_node.minus_cell_height = -cells.height;
-    at_node.slip_distance = friction.L[i];
-    at_node.seismic_time =
-      friction.L[i] / seismicRate(materials[i], places.other_side, here->stress_drop);
-    at_node.crossing_time = crossingTime(materials[i], cells.smallest);
-    mine.include(at_node);
+    measure += places.weights[i];
+    include(resolutionAt(place, places, materials[i], friction, *weakening), mine);
   }
-  auto const all = mine.overRanks(communicator);
-  if (all.minus_largest_cell > 0) { // no node weakens
+  auto result = overRanks(mine, communicator);
+  if (result.largest_cell < 0) { // no node weakens
     return std::nullopt;
   }
-  const double measure = sumOverRanks(weakening, communicator);
-  FaultResolution result{};
-  result.smallest_cell = all.smallest_cell;
-  result.largest_cell = -all.minus_largest_cell;
-  result.cohesive_zone = all.cohesive_zone;
-  result.nucleation_length = all.nucleation_length;
-  result.unstable_wavelength = all.unstable_wavelength;
-  result.cells_per_zone = all.cells_per_zone;
-  result.cell_height = -all.minus_cell_height;
+  measure = sumOverRanks(measure, communicator);
   result.too_stiff = stiffnessError(components, result.cell_height, 4 * result.cells_per_zone);
-  result.slip_distance = all.slip_distance;
-  result.seismic_time = all.seismic_time;
-  result.crossing_time = all.crossing_time;
   result.weakening_length = places.dimension == 2 ? measure : std::sqrt(measure);
   result.weakens_everywhere = minOverRanks(weakens_everywhere ? 1 : 0, communicator) == 1;
   return result;

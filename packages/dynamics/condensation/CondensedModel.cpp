@@ -16,7 +16,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-// The given columns of each row and its diagonal.
+// The given columns of each row, and its diagonal.
 RCP<const CrsGraph> graphOf(RCP<const Map> const& map,
                             std::function<std::vector<int>(int)> const& columnsOf)
 {
@@ -86,25 +86,28 @@ RCP<const CrsMatrix> StaticCondensation::condensedStiffness(RCP<const Map> const
 RCP<const CrsMatrix> StaticCondensation::condensedViscosity(RCP<const Map> const& map) const
 {
   auto const C = whole_.body.matrices.viscosity->getLocalMatrixHost();
-  auto const coupled = graphOf(map, [&](int row) {
-    std::vector<int> columns;
-    for (auto k = row < numKept() ? C.graph.row_map(kept_[row]) : 0;
-         row < numKept() && k < C.graph.row_map(kept_[row] + 1); ++k) {
-      const int column = place_[C.graph.entries(k)];
-      if (column >= 0 && moves_[column] && C.values(k) != 0) {
-        columns.push_back(column);
-      }
-    }
-    return columns;
-  });
-  auto const matrix = zeroMatrix(coupled);
-  for (int row = 0; row < numKept(); ++row) {
+  // visit(column, value) for the entries of a row of F in columns that move, and on the diagonal
+  const auto visitRow = [&](int row, auto const& visit) {
     for (auto k = C.graph.row_map(kept_[row]); k < C.graph.row_map(kept_[row] + 1); ++k) {
       const int column = place_[C.graph.entries(k)];
       if (column >= 0 && (moves_[column] || column == row)) {
-        add(*matrix, row, column, C.values(k));
+        visit(column, C.values(k));
       }
     }
+  };
+  auto const matrix = zeroMatrix(graphOf(map, [&](int row) {
+    std::vector<int> columns;
+    if (row < numKept()) {
+      visitRow(row, [&](int column, double value) {
+        if (value != 0 && column != row) {
+          columns.push_back(column);
+        }
+      });
+    }
+    return columns;
+  }));
+  for (int row = 0; row < numKept(); ++row) {
+    visitRow(row, [&](int column, double value) { add(*matrix, row, column, value); });
   }
   matrix->fillComplete();
   return matrix;

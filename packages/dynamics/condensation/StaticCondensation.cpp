@@ -76,6 +76,32 @@ bool StaticCondensation::isFaultAlone(CrsMatrix const& viscosity) const
 // Computes the factor and P. False if the body can move without resistance while its fault rests.
 bool StaticCondensation::findPattern()
 {
+  if (!factorise()) {
+    return false;
+  }
+  auto const& body = whole_.body;
+  body.prescribed_velocity(0, *pattern_);
+  noteMovingDofs(*pattern_);
+  {
+    auto const values = pattern_->getLocalViewHost(Tpetra::Access::ReadWrite);
+    for (int dof : kept_) {
+      values(dof, 0) = 0;
+    }
+  }
+  is_driven_ = pattern_->normInf() > 0;
+  Vector forces(pattern_->getMap()), inside(pattern_->getMap());
+  body.matrices.stiffness->apply(*pattern_, forces, Teuchos::NO_TRANS, -1, 0);
+  body.clearHeld(forces);
+  factor_->condense(forces).expand(Vector(factor_->map()), inside);
+  pattern_->update(1, inside, 1);
+  no_forces_ =
+    std::make_unique<tnnmg::CondensedRightSide>(factor_->condense(Vector(pattern_->getMap())));
+  return isInEquilibrium(*pattern_);
+}
+
+// False if K without the rows and columns of D is singular.
+bool StaticCondensation::factorise()
+{
   auto const& body = whole_.body;
   auto const K = body.matrices.stiffness->getLocalMatrixHost();
   auto flags = body.held.flags();
@@ -95,30 +121,22 @@ bool StaticCondensation::findPattern()
   } catch (SolveError const&) {
     return false;
   }
+  return true;
+}
 
-  body.prescribed_velocity(0, *pattern_);
-  Vector forces(pattern_->getMap());
-  {
-    auto const values = pattern_->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int i = 0; i < numKept(); ++i) {
-      moves_[i] = !body.held[kept_[i]] || values(kept_[i], 0) != 0;
-      values(kept_[i], 0) = 0;
-    }
-    for (auto const& node : whole_.fault.surface()) {
-      for (int dof : node.dofs) {
-        moves_[place_[dof]] = true;
-      }
+// A dof of F moves if it is not held or has a prescribed velocity. A tangential dof always counts,
+// since its prescribed velocity may change in time.
+void StaticCondensation::noteMovingDofs(Vector const& prescribed_velocity)
+{
+  auto const values = prescribed_velocity.getLocalViewHost(Tpetra::Access::ReadOnly);
+  for (int i = 0; i < numKept(); ++i) {
+    moves_[i] = !whole_.body.held[kept_[i]] || values(kept_[i], 0) != 0;
+  }
+  for (auto const& node : whole_.fault.surface()) {
+    for (int dof : node.dofs) {
+      moves_[place_[dof]] = true;
     }
   }
-  is_driven_ = pattern_->normInf() > 0;
-  body.matrices.stiffness->apply(*pattern_, forces, Teuchos::NO_TRANS, -1, 0);
-  body.clearHeld(forces);
-  Vector inside(pattern_->getMap());
-  factor_->condense(forces).expand(Vector(factor_->map()), inside);
-  pattern_->update(1, inside, 1);
-  no_forces_ =
-    std::make_unique<tnnmg::CondensedRightSide>(factor_->condense(Vector(pattern_->getMap())));
-  return isInEquilibrium(*pattern_);
 }
 
 // Whether K u vanishes at I, compared with the sums of the magnitudes of its terms.

@@ -69,6 +69,8 @@ private:
 
   bool isFaultAlone(CrsMatrix const& viscosity) const;
   bool findPattern();
+  bool factorise();
+  void noteMovingDofs(Vector const& prescribed_velocity);
   bool isInEquilibrium(Vector const& u) const;
   bool balancesMotionOfFault() const;
   void condense();

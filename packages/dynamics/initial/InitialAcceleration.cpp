@@ -61,48 +61,67 @@ ForcesAtStart forcesAtStart(Fault const& fault, Vector const& v, friction::State
     });
   return {gradient, strength};
 }
+
+// b -= force at the tangential dofs of the fault.
+void subtractAtFault(fem::FaultSurface const& surface, ConstBlockView const& force, Vector& b)
+{
+  auto const host = toHost(force);
+  auto const values = b.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    for (int k = 0; k < surface.numTangents(); ++k) {
+      values(surface[node].dofs[k], 0) -= host(node, k);
+    }
+  }
+}
+
+// Whether b is more than what rounding leaves of l - K u, which may be the difference of large
+// forces: that must not accelerate a body at rest.
+bool exceedsRounding(Vector const& b, Vector const& load)
+{
+  constexpr double rounding = 1e-12;
+  constexpr double least_load = 1e-300; // so that without a load any b counts
+  return b.normInf() > rounding * std::max(load.normInf(), least_load);
+}
+
+// The minimiser a of 1/2 <M a, a> - <b, a> + sum of weight strength |a| over the fault's nodes.
+RCP<Vector> accelerationUnder(Vector const& b, Body const& body, Fault const& fault,
+                              ConstNodeView const& strength, ConstNodeView const& alpha,
+                              RateSolverSettings settings)
+{
+  auto const& surface = fault.surface();
+  settings.tnnmg.absolute_tolerance = 0;
+  settings.tnnmg.relative_tolerance = 1e-12;
+  auto const solver = makeRateSolver(fem::combine(body.matrices, fem::massWeights(), body.held),
+                                     body, surface, settings);
+  auto a = body.vector();
+  solver->begin(b, *a);
+  auto const kernels = fault.frictionWith(strength);
+  const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());
+  auto const result = solver->solve({*kernels, {alpha, no_stress}});
+  if (!result.converged) {
+    std::ostringstream message;
+    message << "The initial acceleration was not found: TNNMG did not converge on the balance of "
+               "momentum, whose largest force is "
+            << b.normInf() << " N. Try a larger 'TNNMG / Maximum Iterations'.";
+    throw SolveError(message.str());
+  }
+  solver->velocity(*a);
+  return a;
+}
 } // namespace
 
 RCP<Vector> initialAcceleration(Body const& body, Fault const& fault,
                                 RateSolverSettings const& settings, Vector const& load,
                                 Motion const& start, friction::StateAndStress const& at)
 {
-  auto const& surface = fault.surface();
   auto const forces = forcesAtStart(fault, start.v, at);
   auto b = body.vector();
   body.residual(load, start, *b);
-  {
-    auto const force = toHost(forces.force);
-    auto const values = b->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (int node = 0; node < surface.numNodes(); ++node) {
-      for (int k = 0; k < surface.numTangents(); ++k) {
-        values(surface[node].dofs[k], 0) -= force(node, k);
-      }
-    }
-  }
+  subtractAtFault(fault.surface(), forces.force, *b);
   body.clearHeld(*b);
-  // l - K u may be the difference of large forces. Its rounding must not accelerate a body at rest.
-  auto const scale = std::max(load.normInf(), 1e-300);
-  auto a = body.vector();
-  if (b->normInf() > 1e-12 * scale) {
-    RateSolverSettings mass_settings = settings;
-    mass_settings.tnnmg.absolute_tolerance = 0;
-    mass_settings.tnnmg.relative_tolerance = 1e-12;
-    auto const solver = makeRateSolver(fem::combine(body.matrices, fem::massWeights(), body.held),
-                                       body, surface, mass_settings);
-    solver->begin(*b, *a);
-    auto const kernels = fault.frictionWith(forces.strength);
-    const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());
-    auto const result = solver->solve({*kernels, {at.alpha, no_stress}});
-    if (!result.converged) {
-      std::ostringstream message;
-      message << "The initial acceleration was not found: TNNMG did not converge on the balance of "
-                 "momentum, whose largest force is "
-              << b->normInf() << " N. Try a larger 'TNNMG / Maximum Iterations'.";
-      throw SolveError(message.str());
-    }
-    solver->velocity(*a);
-  }
+  auto const a = exceedsRounding(*b, load)
+                   ? accelerationUnder(*b, body, fault, forces.strength, at.alpha, settings)
+                   : body.vector();
   a->update(1, start.a, 1);
   return a;
 }

@@ -34,6 +34,9 @@ Teuchos::RCP<const Teuchos::ParameterList> Wells::validParameters()
 
 namespace
 {
+constexpr double reach = 0.01;    // from the fault, as a share of the cell's size; as for receivers
+constexpr double rounding = 1e-9; // of shares that sum to one
+
 std::array<double, 3> placeOf(Teuchos::ParameterList const& well, std::string const& path,
                               int dimension)
 {
@@ -47,15 +50,19 @@ std::array<double, 3> placeOf(Teuchos::ParameterList const& well, std::string co
   return place;
 }
 
+Field rateOf(Teuchos::ParameterList const& well, std::string const& path)
+{
+  Field rate(well, "Rate", path, {});
+  ASPERITY_REQUIRE(!rate.isDataset(), joinPath(path, "Rate")
+                                        << " names a dataset, but a well has one place. Give a "
+                                           "number or an expression in t.");
+  return rate;
+}
+
 std::string textOf(std::array<double, 3> const& place, int dimension)
 {
   return dimension == 2 ? mesh::text(std::array<double, 2>{place[0], place[1]}) : mesh::text(place);
 }
-} // namespace
-
-namespace
-{
-constexpr double rounding = 1e-9; // of shares that sum to one
 
 // Over all ranks, of those that take a part of the rate that is more than rounding.
 int numNodesThatShare(fem::FaultMesh::Nearest const& nearest, Communicator const& communicator)
@@ -64,6 +71,15 @@ int numNodesThatShare(fem::FaultMesh::Nearest const& nearest, Communicator const
     std::count_if(nearest.shares.begin(), nearest.shares.end(),
                   [](auto const& node_and_share) { return node_and_share.second > rounding; });
   return static_cast<int>(sumOverRanks(static_cast<double>(mine), communicator));
+}
+
+std::string remarkOn(std::string const& name, std::string const& place, double cell_size,
+                     int num_nodes)
+{
+  return "Well '" + name + "' meets the fault at " + place + " m, where cells have a size of " +
+         formatShort(cell_size) + " m: " +
+         (num_nodes == 1 ? "one node takes its rate."
+                         : std::to_string(num_nodes) + " nodes of a cell share its rate.");
 }
 } // namespace
 
@@ -76,23 +92,15 @@ Wells::Wells(Teuchos::ParameterList const& list, std::string const& path,
     auto const& well = list.sublist(name);
     auto const where = joinPath(path, name);
     auto const place = placeOf(well, where, dimension);
-    Field rate(well, "Rate", where, {});
-    ASPERITY_REQUIRE(!rate.isDataset(), joinPath(where, "Rate")
-                                          << " names a dataset, but a well has one place. Give a "
-                                             "number or an expression in t.");
-    constexpr double reach = 0.01; // of a cell, as for receivers
+    auto rate = rateOf(well, where);
     auto nearest = mesh.nearest(place);
     ASPERITY_REQUIRE(nearest.distance <= reach * nearest.cell_size,
                      where << " is at " << textOf(place, dimension) << ", " << nearest.distance
                            << " m from the fault, whose cells have a size of " << nearest.cell_size
                            << " m there; at most " << reach
                            << " of that is allowed. Move the well onto the fault.");
-    const int num_nodes = numNodesThatShare(nearest, *mesh.owned()->getComm());
-    remarks_.push_back("Well '" + name + "' meets the fault at " + textOf(place, dimension) +
-                       " m, where cells have a size of " + formatShort(nearest.cell_size) + " m: " +
-                       (num_nodes == 1
-                          ? "one node takes its rate."
-                          : std::to_string(num_nodes) + " nodes of a cell share its rate."));
+    remarks_.push_back(remarkOn(name, textOf(place, dimension), nearest.cell_size,
+                                numNodesThatShare(nearest, *mesh.owned()->getComm())));
     wells_.push_back(
       std::make_unique<Well>(Well{place, std::move(rate), std::move(nearest.shares)}));
   }

@@ -52,6 +52,20 @@ RateSolver& StepSolvers::at(int level)
   auto& [solver, bytes] = solvers_[level];
   ASPERITY_TIME_WORK("set-up of step sizes");
   auto const start = std::chrono::steady_clock::now();
+  solver = setUp(level);
+  // Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
+  bytes = maxOverRanks(static_cast<std::int64_t>(solver->bytes()), *surface_.communicator());
+  bytes_ += bytes;
+  while (bytes_ > budget_bytes_ && recent_.size() > 1) {
+    forgetOldest();
+  }
+  ++setups_;
+  setup_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return *solver;
+}
+
+std::unique_ptr<RateSolver> StepSolvers::setUp(int level)
+{
   const double tau = clock_.stepSize(level);
   auto const weights = update_.weights(tau, body_.matrices);
   const RCP<const CrsMatrix> across = reaction_ ? reaction_->rows(weights) : Teuchos::null;
@@ -65,20 +79,11 @@ RateSolver& StepSolvers::at(int level)
       shared.terms = shared_->terms();
       shared.weights = shared_->weights(weights);
     }
-    solver = makeRateSolver(Z, body_, surface_, settings_, across, shared);
+    return makeRateSolver(Z, body_, surface_, settings_, across, shared);
   } catch (SolveError const& error) {
     throw SolveError("The solver for steps of " + formatShort(tau) +
                      " s (the largest step halved " + std::to_string(level) +
                      " times) could not be set up. " + error.what());
   }
-  // Set-ups are collective, so what is forgotten must not depend on a rank's share of the mesh.
-  bytes = maxOverRanks(static_cast<std::int64_t>(solver->bytes()), *surface_.communicator());
-  bytes_ += bytes;
-  while (bytes_ > budget_bytes_ && recent_.size() > 1) {
-    forgetOldest();
-  }
-  ++setups_;
-  setup_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return *solver;
 }
 } // namespace asperity::dynamics

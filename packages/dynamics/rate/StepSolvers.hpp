@@ -41,6 +41,7 @@ private:
   };
 
   void forgetOldest();
+  std::unique_ptr<RateSolver> setUp(int level); // throws SolveError; collective
 
   Body const& body_;
   fem::FaultSurface const& surface_;
