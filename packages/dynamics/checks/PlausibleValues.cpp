@@ -22,8 +22,8 @@ constexpr PlausibleRange shear_moduli = {300, 1e12};
 constexpr PlausibleRange shear_speeds = {0.3, 22e3};
 // The slowest sediments, clay and silt at the sea floor, have 10 m/s (Osler and Chapman 1996) and
 // more than 1300 kg/m^3; gels have 1100 kg/m^3. A material that is denser than gels and slower than
-// 5 m/s is neither: rock whose modulus is given in MPa has 3 m/s. So
-// the bound lies between these two speeds.
+// 5 m/s is neither: rock whose modulus is given in MPa has 3 m/s. So the bound lies between these
+// two speeds.
 constexpr double density_of_sediment = 1300;
 constexpr double speed_of_sediment = 5;
 // Normal stress over shear modulus: from 3e-6 on creeping faults with nearly lithostatic pore
@@ -54,26 +54,26 @@ std::string outside(PlausibleRange const& bounds, std::string const& unit)
          formatShort(bounds.to) + (unit.empty() ? "" : " " + unit) + ".";
 }
 
-void questionMaterial(BesideFault const& values, std::vector<Warning>& questions)
+void warnOfMaterial(BesideFault const& values, std::vector<Warning>& warnings)
 {
   auto const& cs = values.shear_speed;
   if (isOutside(values.density, densities)) {
-    questions.push_back({"density", "Bulk / Density is " + interval(values.density) + " kg/m^3 " +
-                                      where(values) + outside(densities, "kg/m^3") +
-                                      " Is it in g/cm^3?"});
+    warnings.push_back({"density", "Bulk / Density is " + interval(values.density) + " kg/m^3 " +
+                                     where(values) + outside(densities, "kg/m^3") +
+                                     " Is it in g/cm^3?"});
   }
   if (isOutside(values.shear_modulus, shear_moduli)) {
-    questions.push_back({"shear modulus", "The shear modulus is " + interval(values.shear_modulus) +
-                                            " Pa " + where(values) + outside(shear_moduli, "Pa") +
-                                            " Is it in MPa or GPa?"});
+    warnings.push_back({"shear modulus", "The shear modulus is " + interval(values.shear_modulus) +
+                                           " Pa " + where(values) + outside(shear_moduli, "Pa") +
+                                           " Is it in MPa or GPa?"});
   }
   if (isOutside(cs, shear_speeds)) {
-    questions.push_back(
+    warnings.push_back(
       {"speed of shear waves", "Shear waves travel at " + interval(cs) + " m/s " + where(values) +
                                  outside(shear_speeds, "m/s") +
                                  " Check the units of Bulk / Density and of the moduli."});
   } else if (values.density.largest > density_of_sediment && cs.smallest < speed_of_sediment) {
-    questions.push_back(
+    warnings.push_back(
       {"speed of shear waves",
        "Shear waves travel at " + interval(cs) + " m/s " + where(values) +
          ", where the density is " + interval(values.density) +
@@ -112,18 +112,18 @@ std::string describeSpeeds(BesideFault const& values)
 
 std::vector<Warning> warnOfImplausibleValues(BesideFault const& values)
 {
-  std::vector<Warning> questions;
-  questionMaterial(values, questions);
+  std::vector<Warning> warnings;
+  warnOfMaterial(values, warnings);
   // The largest: near the surface it may be 0. Without a fault there is none.
   const double stress = values.normal_stress.largest;
   const double ratio = stress / values.shear_modulus.largest;
   if (stress > 0 && (ratio < stress_ratios.from || ratio > stress_ratios.to)) {
-    questions.push_back({"normal stress", "The largest normal stress at the start, " +
-                                            formatShort(stress) + " Pa, is " + formatShort(ratio) +
-                                            " of the shear modulus, " +
-                                            formatShort(values.shear_modulus.largest) + " Pa" +
-                                            outside(stress_ratios, "") + " Is it in MPa?"});
+    warnings.push_back({"normal stress", "The largest normal stress at the start, " +
+                                           formatShort(stress) + " Pa, is " + formatShort(ratio) +
+                                           " of the shear modulus, " +
+                                           formatShort(values.shear_modulus.largest) + " Pa" +
+                                           outside(stress_ratios, "") + " Is it in MPa?"});
   }
-  return questions;
+  return warnings;
 }
 } // namespace asperity::dynamics

@@ -4,11 +4,13 @@ namespace asperity::dynamics
 {
 namespace
 {
-// The level of the largest dyadic step that is not above `size`.
+// The level of the largest dyadic step that is not above `size`, but for the rounding of a decimal
+// number in a deck.
 int levelOf(DyadicTime const& clock, double size)
 {
+  constexpr double rounding = 1e-12;
   int level = 0;
-  while (level < clock.finestLevel() && clock.stepSize(level) > size * (1 + 1e-12)) {
+  while (level < clock.finestLevel() && clock.stepSize(level) > size * (1 + rounding)) {
     ++level;
   }
   return level;

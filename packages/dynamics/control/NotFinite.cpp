@@ -1,6 +1,7 @@
 #include "dynamics/control/NotFinite.hpp"
 
 #include "fem/inelastic/InelasticCells.hpp"
+
 #include <limits>
 
 namespace asperity::dynamics
@@ -23,7 +24,7 @@ bool haveFiniteSquares(ConstNodeView const& values)
   return others == 0;
 }
 
-// width: values of each index
+// width: the number of values that belong to each index of the place
 std::optional<NotFinite> searchField(std::string const& quantity, NotFinite::Place place,
                                      ConstNodeView const& values, int width = 1)
 {
@@ -39,12 +40,18 @@ std::optional<NotFinite> searchField(std::string const& quantity, NotFinite::Pla
                                 : std::nullopt;
 }
 
-std::optional<NotFinite> searchField(State const& state, bool among_guessed_alone)
+enum class Fields
+{
+  all,
+  guessed // FieldInfo::is_guessed
+};
+
+std::optional<NotFinite> searchState(State const& state, Fields fields)
 {
   using Place = NotFinite::Place;
   std::optional<NotFinite> found;
   const auto look = [&](FieldInfo const& info, Place place, auto const& field, int width = 1) {
-    if (!found && (info.is_guessed || !among_guessed_alone)) {
+    if (!found && (info.is_guessed || fields == Fields::all)) {
       found = searchField(info.quantity, place, valuesOf(field), width);
     }
   };
@@ -59,11 +66,14 @@ std::optional<NotFinite> searchField(State const& state, bool among_guessed_alon
 }
 } // namespace
 
-std::optional<NotFinite> firstNotFinite(State const& state) { return searchField(state, false); }
+std::optional<NotFinite> firstNotFinite(State const& state)
+{
+  return searchState(state, Fields::all);
+}
 
 std::optional<NotFinite> firstNotFiniteAtFault(State const& state)
 {
-  return searchField(state, true);
+  return searchState(state, Fields::guessed);
 }
 
 std::optional<NotFinite> firstNotFinite(std::string const& quantity, RCP<Vector> const& x)

@@ -8,9 +8,9 @@ namespace asperity::dynamics
 {
 namespace
 {
-// Rank threshold of the normal equations. Differences of residuals that are parallel up to the
-// square root of this share count as dependent, because lengths enter squared.
-constexpr double parallel = 1e-10;
+// Pivots of the normal equations below this share of the largest one count as zero. Lengths enter
+// squared, so that differences of residuals count as dependent at an angle of 1e-5.
+constexpr double rank_threshold = 1e-10;
 
 NodeView copyOf(ConstNodeView const& values)
 {
@@ -37,7 +37,7 @@ double product(ConstNodeView const& weight, ConstNodeView const& a, ConstNodeVie
 
 AndersonAcceleration::AndersonAcceleration(ConstNodeView const& weights,
                                            RCP<const Communicator> const& communicator, int depth)
-    : weights_of_values_(weights)
+    : weights_(weights)
     , communicator_(communicator)
     , depth_(static_cast<std::size_t>(depth))
 {
@@ -46,7 +46,7 @@ AndersonAcceleration::AndersonAcceleration(ConstNodeView const& weights,
 // The least squares problem
 //   min over gamma of | f0 - sum_j gamma_j (f0 - fj) |
 // by its normal equations; column 0 of `products` is their right side, since f0 = f0 - 0.
-std::vector<double> AndersonAcceleration::weights() const
+std::vector<double> AndersonAcceleration::coefficients() const
 {
   const int size = static_cast<int>(iterates_.size()) - 1;
   auto const last = iterates_.front().residual;
@@ -54,14 +54,14 @@ std::vector<double> AndersonAcceleration::weights() const
   Eigen::MatrixXd mine(size, size + 1);
   for (int j = 0; j < size; ++j) {
     auto const residual = iterates_[j + 1].residual;
-    mine(j, 0) = product(weights_of_values_, last, residual, zero);
+    mine(j, 0) = product(weights_, last, residual, zero);
     for (int l = 0; l < size; ++l) {
-      mine(j, l + 1) = product(weights_of_values_, last, residual, iterates_[l + 1].residual);
+      mine(j, l + 1) = product(weights_, last, residual, iterates_[l + 1].residual);
     }
   }
   const Eigen::MatrixXd products = sumOverRanks(mine, *communicator_);
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> normal;
-  normal.setThreshold(parallel);
+  normal.setThreshold(rank_threshold);
   normal.compute(products.rightCols(size));
   const Eigen::VectorXd gamma = normal.solve(products.col(0));
   return {gamma.data(), gamma.data() + size};
@@ -87,13 +87,13 @@ void AndersonAcceleration::advance(NodeView const& x, ConstNodeView const& image
   if (iterates_.size() == 1) {
     return;
   }
-  auto const gamma = weights();
+  auto const gamma = coefficients();
   for (std::size_t j = 0; j < gamma.size(); ++j) {
     auto const earlier = iterates_[j + 1].image;
-    const double weight = gamma[j];
+    const double coefficient = gamma[j];
     Kokkos::parallel_for(
       "asperity::dynamics::takeOut", RangePolicy(0, x.extent(0)),
-      KOKKOS_LAMBDA(int node) { x(node) -= weight * (image(node) - earlier(node)); });
+      KOKKOS_LAMBDA(int node) { x(node) -= coefficient * (image(node) - earlier(node)); });
   }
 }
 } // namespace asperity::dynamics

@@ -32,11 +32,11 @@ private:
     NodeView residual, image;
   };
 
-  // The weights w_j in x = g_0 - sum_j w_j (g_0 - g_j), where g_0 is the last image and g_j are the
+  // The gamma_j in x = g_0 - sum_j gamma_j (g_0 - g_j), where g_0 is the last image and g_j are the
   // earlier ones, in the order of iterates_.
-  std::vector<double> weights() const;
+  std::vector<double> coefficients() const;
 
-  ConstNodeView weights_of_values_;
+  ConstNodeView weights_;
   RCP<const Communicator> communicator_;
   std::size_t depth_;
   std::deque<Iterate> iterates_; // the last one first

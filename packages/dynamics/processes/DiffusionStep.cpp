@@ -17,9 +17,9 @@ namespace asperity::dynamics
 namespace
 {
 const double gamma_of_stages = 1 - std::sqrt(0.5);
-constexpr double tolerance = 1e-12;
-constexpr int max_iterations = 1000;
-constexpr std::size_t max_systems = 8;
+constexpr double tolerance = 1e-12;     // of the residual over the right side
+constexpr int max_iterations = 1000;    // a matrix that needs more is too badly conditioned
+constexpr std::size_t most_systems = 8; // a control goes back and forth between fewer step sizes
 
 void setHost(std::vector<double> const& values, Vector& x)
 {
@@ -41,12 +41,12 @@ void clear(ConstFlagView const& flags, Vector& x)
 RCP<Vector> vectorOf(CrsMatrix const& K) { return rcp(new Vector(K.getRowMap())); }
 } // namespace
 
-// S + stage K without the rows and columns of fixed nodes, whose diagonal is 1.
+// S + gamma tau K without the rows and columns of fixed nodes, whose diagonal is 1.
 struct DiffusionStep::System
 {
-  System(double stage_, CrsMatrix const& K, std::vector<double> const& S,
+  System(double gamma_times_tau, CrsMatrix const& K, std::vector<double> const& S,
          std::vector<bool> const& is_fixed)
-      : stage(stage_)
+      : gamma_tau(gamma_times_tau)
       , storage(vectorOf(K))
       , z(vectorOf(K))
       , d(vectorOf(K))
@@ -70,7 +70,7 @@ struct DiffusionStep::System
       for (auto e = local.graph.row_map(row); e < local.graph.row_map(row + 1); ++e) {
         const int column = local.graph.entries(e);
         if (column < size && !is_fixed[row] && !is_fixed[column]) {
-          entries.emplace_back(row, column, stage * local.values(e));
+          entries.emplace_back(row, column, gamma_tau * local.values(e));
         }
       }
     }
@@ -84,10 +84,10 @@ struct DiffusionStep::System
 
   void clearFixed(Vector& x) const { clear(fixed, x); }
 
-  // product = (S + stage K) d, for d that is zero at fixed nodes.
+  // product = (S + gamma tau K) d, for d that is zero at fixed nodes.
   void multiply(CrsMatrix const& K)
   {
-    K.apply(*d, *product, Teuchos::NO_TRANS, stage, 0);
+    K.apply(*d, *product, Teuchos::NO_TRANS, gamma_tau, 0);
     product->elementWiseMultiply(1, *storage, *d, 1);
     clearFixed(*product);
   }
@@ -140,7 +140,7 @@ struct DiffusionStep::System
     return false;
   }
 
-  double stage;
+  double gamma_tau; // [s]
   ConstFlagView fixed;
   RCP<Vector> storage, z, d, product, r;
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factors; // of this rank's block
@@ -164,16 +164,17 @@ DiffusionStep::~DiffusionStep() = default;
 
 double DiffusionStep::timeIn(int k) { return 0.5 + (k == 0 ? -1 : 1) / std::sqrt(12.); }
 
-// Keeps the factors of the last sizes of steps: a control goes back and forth between a few.
-DiffusionStep::System& DiffusionStep::systemOf(double stage)
+// Keeps the factors of the last sizes of steps.
+DiffusionStep::System& DiffusionStep::systemOf(double gamma_tau)
 {
-  auto const found = std::find_if(systems_.begin(), systems_.end(),
-                                  [&](auto const& system) { return system->stage == stage; });
+  auto const found = std::find_if(systems_.begin(), systems_.end(), [&](auto const& system) {
+    return system->gamma_tau == gamma_tau;
+  });
   if (found == systems_.end()) {
-    if (systems_.size() == max_systems) {
+    if (systems_.size() == most_systems) {
       systems_.pop_back();
     }
-    systems_.insert(systems_.begin(), std::make_unique<System>(stage, *K_, S_, is_fixed_));
+    systems_.insert(systems_.begin(), std::make_unique<System>(gamma_tau, *K_, S_, is_fixed_));
   } else {
     std::rotate(systems_.begin(), found, found + 1);
   }
@@ -181,7 +182,7 @@ DiffusionStep::System& DiffusionStep::systemOf(double stage)
 }
 
 // rate := (S + gamma tau K)^-1 (q - K p), zero at fixed nodes.
-void DiffusionStep::stage(System& system, Vector const& p, Vector& rate)
+void DiffusionStep::rateOfStage(System& system, Vector const& p, Vector& rate)
 {
   right_side_->assign(*q_);
   K_->apply(p, *right_side_, Teuchos::NO_TRANS, -1, 1);
@@ -189,7 +190,7 @@ void DiffusionStep::stage(System& system, Vector const& p, Vector& rate)
   if (!system.solve(*K_, *right_side_, rate)) {
     throw SolveError("The diffusion of the pore pressure on the fault could not be solved for a "
                      "step of " +
-                     std::to_string(system.stage / gamma_of_stages) +
+                     std::to_string(system.gamma_tau / gamma_of_stages) +
                      " s. Check the fields of Friction / Pore Pressure: permeability, storage and "
                      "width may differ by too many powers of ten.");
   }
@@ -209,10 +210,10 @@ void DiffusionStep::advance(double tau, ConstNodeView const& p0, Sources const& 
   };
   Kokkos::deep_copy(overwritten(p_), p0);
   setSource(gamma_of_stages);
-  stage(system, *p_, *first_);
+  rateOfStage(system, *p_, *first_);
   p_->update((1 - gamma_of_stages) * tau, *first_, 1);
   setSource(1);
-  stage(system, *p_, *second_);
+  rateOfStage(system, *p_, *second_);
   p_->update(gamma_of_stages * tau, *second_, 1);
   Kokkos::deep_copy(p1, valuesOf(p_));
 }

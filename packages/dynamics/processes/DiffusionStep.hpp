@@ -36,8 +36,8 @@ public:
 
 private:
   struct System;
-  System& systemOf(double stage);
-  void stage(System& system, Vector const& p, Vector& rate);
+  System& systemOf(double gamma_tau);
+  void rateOfStage(System& system, Vector const& p, Vector& rate);
 
   RCP<const CrsMatrix> K_;
   std::vector<double> S_;

@@ -108,7 +108,7 @@ public:
     requireFixedNodes(fixed, parameters, context.path);
     is_fixed_ = atPoints(fixed);
     if (!permeability_->changes()) {
-      diffusion_ = with(permeability);
+      diffusion_ = diffusionWith(permeability);
     }
   }
 
@@ -181,9 +181,8 @@ private:
                      joinPath(path, "Fixed Where")
                        << " = " << valueText(parameters.getEntry("Fixed Where"))
                        << " is above zero at no node of the fault, whose edges would all be "
-                          "impermeable. "
-                          "Check its numbers against the places of the fault, allow for rounding "
-                          "(abs(y + 40e3) < 1), or give 0.");
+                          "impermeable. Check its numbers against the places of the fault, allow "
+                          "for rounding (abs(y + 40e3) < 1), or give 0.");
   }
 
   // A point is fixed if one of its nodes is.
@@ -216,26 +215,28 @@ private:
     return p;
   }
 
-  std::shared_ptr<DiffusionStep> with(NodalValues c) const // the permeability
+  std::shared_ptr<DiffusionStep> diffusionWith(NodalValues const& permeability) const
   {
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      c[i] *= width_[i] / viscosity_[i];
+    auto conductivity = permeability; // k w / eta
+    for (std::size_t i = 0; i < conductivity.size(); ++i) {
+      conductivity[i] *= width_[i] / viscosity_[i];
     }
-    return std::make_shared<DiffusionStep>(mesh_->stiffness(c), storage_, is_fixed_);
+    return std::make_shared<DiffusionStep>(mesh_->stiffness(conductivity), storage_, is_fixed_);
   }
 
-  // With the permeability in the middle of the step. The pressure there, if it counts, is that of
-  // half a step with the permeability of the beginning; p is overwritten.
-  std::shared_ptr<DiffusionStep> inTheMiddle(State const& from, double tau,
-                                             DiffusionStep::Sources const& q,
-                                             NodeView const& p) const
+  // With the permeability in the middle of a step from a state. If that depends on the pressure,
+  // the pressure there is the one after half a step with the permeability of the beginning;
+  // `memory` is overwritten with it.
+  std::shared_ptr<DiffusionStep> diffusionInMiddle(State const& from, double tau,
+                                                   DiffusionStep::Sources const& q,
+                                                   NodeView const& memory) const
   {
     auto const& before = from.at(field_name);
     if (!permeability_->dependsOnStress()) {
-      return with(permeability_->after(from, tau / 2, before));
+      return diffusionWith(permeability_->after(from, tau / 2, before));
     }
-    diffuse(*with(permeability_->after(from, 0, before)), tau / 2, before, q, p);
-    return with(permeability_->after(from, tau / 2, p));
+    diffuse(*diffusionWith(permeability_->after(from, 0, before)), tau / 2, before, q, memory);
+    return diffusionWith(permeability_->after(from, tau / 2, memory));
   }
 
   // p1(num_nodes) from p0(num_nodes); q(num_points).
@@ -254,7 +255,7 @@ private:
     for (int k = 0; k < DiffusionStep::num_times; ++k) {
       q[k] = mesh_->points().sums(inflow_->at(start.t + DiffusionStep::timeIn(k) * start.tau));
     }
-    auto const diffusion = diffusion_ ? diffusion_ : inTheMiddle(start.from, start.tau, q, p);
+    auto const diffusion = diffusion_ ? diffusion_ : diffusionInMiddle(start.from, start.tau, q, p);
     diffuse(*diffusion, start.tau, start.from.at(field_name), q, p);
   }
 
