@@ -8,7 +8,7 @@ namespace asperity::dynamics
 {
 namespace
 {
-Eigen::VectorXd valuesOf(Vector const& x)
+Eigen::VectorXd toEigen(Vector const& x)
 {
   auto const view = x.getLocalViewHost(Tpetra::Access::ReadOnly);
   return Eigen::Map<const Eigen::VectorXd>(view.data(), static_cast<int>(view.extent(0)));
@@ -32,7 +32,7 @@ CondensedFunctionals::CondensedFunctionals(tnnmg::SchurComplement const& schur,
         values(local.graph.entries(k), 0) = local.values(k);
       }
     }
-    matrix_.row(row) = valuesOf(schur.condense(at_rest_).kept()).transpose();
+    matrix_.row(row) = toEigen(schur.condense(at_rest_).kept()).transpose();
   }
 }
 
@@ -46,7 +46,7 @@ void CondensedFunctionals::apply(Vector const& w_kept, NodeView const& r) const
 {
   auto const host = Kokkos::create_mirror_view(r);
   Eigen::Map<Eigen::VectorXd>(host.data(), host.extent_int(0)) =
-    valuesOf(constant_) + matrix_ * valuesOf(w_kept);
+    toEigen(constant_) + matrix_ * toEigen(w_kept);
   Kokkos::deep_copy(r, host);
 }
 } // namespace asperity::dynamics

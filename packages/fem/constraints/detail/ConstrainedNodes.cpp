@@ -139,9 +139,9 @@ ConstrainedNodes<Dim> constrainNodes(Mesh<Dim> const& mesh, DofMap const& dofs,
   if (Dim == 2 && dofs.components() == 2) {
     chooseTurns(mesh, communicator, conditions);
   }
+  Collector<Dim> nodes(mesh, dofs, conditions);
   auto const at_vertices = collectDirections(mesh, conditions, dofs.components());
   const VelocityAgreement<Dim> agreement(mesh, conditions, sample_times, at_vertices, communicator);
-  Collector<Dim> nodes(mesh, dofs, conditions);
   std::optional<PrescribedVelocities<Dim>> velocities;
   // Only the owner of a node sees an error there; all ranks have to throw it.
   onEveryRank(communicator, [&] {
