@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <set>
+#include <unordered_map>
 
 namespace asperity::fem
 {
@@ -125,13 +126,19 @@ void addTraction(FaultSurface const& surface, std::vector<double> const& tractio
 namespace
 {
 // The vertices at the place of a node of the fault, its own first.
-std::vector<int> copiesOf(mesh::FaultPairs const& pairs, int vertex)
+std::vector<int> copiesOf(mesh::FaultPairs const& pairs,
+                          std::unordered_multimap<int, int> const& joints_of_main, int vertex)
 {
   if (auto const* of = pairs.findCrossing(vertex)) {
     return {vertex, of->crossing.mean, of->other(), of->crossing.both};
   }
   auto const* split = pairs.find(vertex);
-  return split ? std::vector<int>{vertex, split->minus} : std::vector<int>{vertex};
+  auto copies = split ? std::vector<int>{vertex, split->minus} : std::vector<int>{vertex};
+  const auto [first, last] = joints_of_main.equal_range(vertex);
+  for (auto joint = first; joint != last; ++joint) {
+    copies.push_back(joint->second);
+  }
+  return copies;
 }
 } // namespace
 
@@ -148,6 +155,10 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
                                           dofs.communicator());
   }
   const mesh::FaultPairs pairs(mesh.splits);
+  std::unordered_multimap<int, int> joints_of_main; // plus vertices
+  for (auto const& joint : mesh::jointsOf(mesh.splits)) {
+    joints_of_main.emplace(joint.main, joint.plus);
+  }
   std::set<int> with_given_slip; // vertices
   for (auto const& name : given_slip) {
     for (auto const& facet : mesh.boundaries.at(name)) {
@@ -157,7 +168,7 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
   std::vector<FaultNode> nodes;
   for (auto const& measure : boundaryMeasure(mesh, boundary, *dofs.communicator())) {
     FaultNode node;
-    node.copies = copiesOf(pairs, measure.node);
+    node.copies = copiesOf(pairs, joints_of_main, measure.node);
     node.weight = measure.weight;
     node.has_given_slip = with_given_slip.count(measure.node) > 0;
     for (int i = 0; i < Dim; ++i) {

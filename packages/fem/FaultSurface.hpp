@@ -16,8 +16,9 @@ struct FaultNode
 {
   // Local vertices of the mesh that lie at this node: one where the fault is a boundary of the
   // body, two (+, -) where it lies between two bodies, four where another fault crosses it: its
-  // own (+, -) on the minus side of the other one, then those on its plus side, (-, +). The first
-  // vertex carries the unknowns.
+  // own (+, -) on the minus side of the other one, then those on its plus side, (-, +). Where a
+  // branch ends at it with a joint, the vertex of that follows. The first vertex carries the
+  // unknowns.
   std::vector<int> copies;
   std::array<double, 3> place{};  // [m]; z = 0 in two dimensions
   std::array<double, 3> normal{}; // unit, out of the body, which lies on the plus side

@@ -10,12 +10,12 @@ namespace asperity::mesh
 {
 namespace
 {
-// The pluses of the pairs without a tip, ascending, by their minus.
+// The pluses of the pairs of faults that go on, ascending, by their minus.
 std::map<int, std::vector<int>> plusesOf(std::vector<SplitVertex> const& splits)
 {
   std::map<int, std::vector<int>> pluses;
   for (auto const& pair : splits) {
-    if (!pair.is_tip) {
+    if (!pair.is_tip && !pair.is_joint) {
       pluses[pair.minus].push_back(pair.plus);
     }
   }

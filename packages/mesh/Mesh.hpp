@@ -15,17 +15,20 @@ using Point = std::array<double, Dim>;
 // Two vertices at one place, on the two sides of a fault inside the body. At a tip the body is not
 // cut: no cell refers to `plus`, only facets of the fault do, and `minus` is the vertex of the
 // cells around it. Where a fault branches off another one, the `minus` of its tip is the vertex on
-// the side of the other fault on which the branch lies, and may itself be the plus of a pair. Where
-// two faults cross, three pairs have one minus (Crossings.hpp).
+// the side of the other fault on which the branch lies, and may itself be the plus of a pair. At a
+// joint (Joints.hpp) this is so, too, but the branch has slip there along the other fault, and its
+// cells on its plus side have `plus`. Where two faults cross, three pairs have one minus
+// (Crossings.hpp).
 struct SplitVertex
 {
   int plus = 0;
   int minus = 0;
   bool is_tip = false;
+  bool is_joint = false; // never with is_tip
 };
 inline bool operator==(SplitVertex const& a, SplitVertex const& b)
 {
-  return a.plus == b.plus && a.minus == b.minus && a.is_tip == b.is_tip;
+  return a.plus == b.plus && a.minus == b.minus && a.is_tip == b.is_tip && a.is_joint == b.is_joint;
 }
 
 // The part of a conforming mesh of simplices that one rank works on.
@@ -62,8 +65,8 @@ struct Mesh
   //
   // The facets of a fault inside the body are those of its plus side, oriented outward from the
   // body there. They consist of plus vertices only, also at tips; with minus instead of plus they
-  // are the facets of the other side, but for corners at crossings (SplitVertices.hpp gives both
-  // sides). Their normal points from plus to minus.
+  // are the facets of the other side, but for corners at crossings and joints (SplitVertices.hpp
+  // gives both sides). Their normal points from plus to minus.
   std::map<std::string, std::vector<Facet>> boundaries;
 
   std::vector<SplitVertex> splits; // local vertex numbers, ascending in plus

@@ -24,9 +24,10 @@ void writeAndReport(GlobalMesh<Dim> const& mesh, std::string const& file_name,
 
 // Reads the mesh of a file, partitioned or not, splits it along its faults unless it is split
 // already, and calls work(mesh, summary) with its GlobalMesh of 2 or 3 dimensions and what the file
-// says of its parts, if it has any.
+// says of its parts, if it has any. in_the_plane: how branches end in two dimensions.
 template <class Work>
-void withMesh(std::string const& file_name, Work const& work)
+void withMesh(std::string const& file_name, Work const& work,
+              mesh::BranchEnd in_the_plane = mesh::BranchEnd::tip)
 {
   std::optional<mesh::PartitionSummary> parts;
   if (mesh::isPartitioned(file_name)) {
@@ -35,7 +36,8 @@ void withMesh(std::string const& file_name, Work const& work)
   const auto read = [&](auto dimension) {
     constexpr int Dim = decltype(dimension)::value;
     auto mesh = parts ? mesh::readParts<Dim>(file_name) : mesh::readMesh<Dim>(file_name);
-    mesh::splitFaults(mesh, "Mesh file '" + file_name + "'");
+    mesh::splitFaults(mesh, "Mesh file '" + file_name + "'",
+                      Dim == 2 ? in_the_plane : mesh::BranchEnd::joint);
     work(mesh, parts);
   };
   if ((parts ? parts->dimension : mesh::meshDimension(file_name)) == 2) {

@@ -27,7 +27,9 @@ public:
   void declareOptions(Arguments& arguments) override
   {
     partitioning_.declare(arguments);
-    arguments.value("--output", target_, "OUT.h5", "the file to be made");
+    arguments.value("--output", target_, "OUT.h5", "the file to be made")
+      .flag("--antiplane", is_antiplane_,
+            "for antiplane models: a branch slips where it ends at another fault");
     arguments.overwrite();
   }
 
@@ -38,14 +40,22 @@ public:
     ASPERITY_REQUIRE(!target_.empty(), "Option --output is missing: the file to be made.");
     partitioning_.check();
     arguments.requireNew(target_);
-    withMesh(arguments.file(0), [&](auto const& mesh, auto const& parts) {
-      partitioning_.write(mesh, parts ? parts->options : mesh::PartitionOptions(), target_);
-    });
+    withMesh(
+      arguments.file(0),
+      [&](auto const& mesh, auto const& parts) {
+        ASPERITY_REQUIRE(!is_antiplane_ || !parts,
+                         "Option --antiplane needs a whole mesh, but mesh file '"
+                           << arguments.file(0)
+                           << "' is partitioned: it was split along its faults before.");
+        partitioning_.write(mesh, parts ? parts->options : mesh::PartitionOptions(), target_);
+      },
+      is_antiplane_ ? mesh::BranchEnd::joint : mesh::BranchEnd::tip);
   }
 
 private:
   Partitioning partitioning_;
   std::string target_;
+  bool is_antiplane_ = false;
 };
 } // namespace
 

@@ -5,6 +5,7 @@
 #include "catalogue/receivers/ReceiverPlaces.hpp"
 #include "catalogue/receivers/Receivers.hpp"
 #include "mesh/Crossings.hpp"
+#include "mesh/Joints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -74,11 +75,15 @@ std::optional<Warning> warnOfReceiversOnFault(ParameterList const& receivers,
       cut.insert(split.plus);
     }
   }
-  auto of_plus_side = cut; // at a crossing the other end of the facet decides
+  auto of_plus_side = cut; // at a crossing or a joint the other end of the facet decides
   for (auto const& [mean, plus, both] : mesh::crossingsOf(splits)) {
     for (const int vertex : {plus[0], plus[1], both}) {
       of_plus_side.erase(vertex);
     }
+  }
+  for (auto const& joint : mesh::jointsOf(splits)) {
+    of_plus_side.erase(joint.plus);
+    of_plus_side.erase(joint.minus);
   }
   const auto on_fault = locate(fault, places), in_body = locate(volume, places);
   const auto apart = Sampling(fault, on_fault)(nodesIn(fault, cut), 1);

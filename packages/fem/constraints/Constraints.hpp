@@ -26,7 +26,9 @@ namespace asperity::fem
 //
 // At a pair of vertices of a fault inside the body, conditions hold for mean and jump
 // (VertexTerms): conditions on the fault for the jump, those on other boundaries in pairs, one on
-// each side. Where two faults cross, the conditions of each hold for its own jump.
+// each side. Where two faults cross, the conditions of each hold for its own jump. Where a branch
+// ends at a joint, its jump lies in both faults, and a slip that is prescribed there is its part
+// along the line.
 template <int Dim>
 class Constraints
 {

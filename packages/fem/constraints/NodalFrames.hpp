@@ -32,6 +32,7 @@ public:
 
   VertexTerms::Terms terms(int vertex) const { return terms_.at(vertex); }
   VertexTerms const& vertexTerms() const { return terms_; }
+  void setShares(std::vector<double> const& of_joints) { terms_.setShares(of_joints); }
 
   static Matrix identity(int components)
   {

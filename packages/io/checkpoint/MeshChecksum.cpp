@@ -1,6 +1,7 @@
 #include "io/checkpoint/MeshChecksum.hpp"
 
 #include "base/Hashes.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -56,7 +57,7 @@ public:
   {
     for (auto const& split : part_.splits) {
       add(std::array<int, 2>{split.plus, split.minus},
-          Checksum().add(pair).add(split.is_tip ? 1 : 0));
+          Checksum().add(pair).add(mesh::kindOf(split)));
     }
   }
 

@@ -1,6 +1,7 @@
 #include "mesh/detail/SplitCheck.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/Joints.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/SplitVertices.hpp"
@@ -20,7 +21,7 @@ void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
     }
   }
   int before = -1;
-  for (auto const& [plus, minus, is_tip] : mesh.splits) {
+  for (auto const& [plus, minus, is_tip, is_joint] : mesh.splits) {
     ASPERITY_REQUIRE(plus > before && minus >= 0 && minus < plus && plus < num_vertices,
                      where << ": the pair of vertices " << plus << " and " << minus
                            << " at a fault does not have ascending numbers in [0, " << num_vertices
@@ -37,6 +38,7 @@ void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
     before = plus;
   }
   checkCrossings(mesh, where);
+  checkJoints(mesh, where);
 }
 
 template <int Dim>

@@ -18,9 +18,10 @@ class Splitter
 public:
   using Facet = typename GlobalMesh<Dim>::Facet;
 
-  Splitter(GlobalMesh<Dim> const& mesh, std::string const& where)
+  Splitter(GlobalMesh<Dim> const& mesh, std::string const& where, BranchEnd branch_end)
       : mesh_(mesh)
       , where_(where)
+      , branch_end_(branch_end)
       , table_(mesh.cells)
       , names_(detail::innerBoundaries(mesh, table_, where))
   {
@@ -136,7 +137,7 @@ private:
       star,
       {vertex, mesh_.vertices[vertex], facets_at_[number], joined_at_[number],
        on_surface_.count(vertex) > 0, isOnTrace(vertex)},
-      facets_, names_, where_);
+      facets_, names_, branch_end_ == BranchEnd::joint, where_);
     const int plus = addCopy(vertex, vertex, !decision.is_cut);
     copies_.push_back(plus);
     if (decision.crossing) {
@@ -145,8 +146,11 @@ private:
     }
     giveVertex(decision.plus_cells, vertex, plus);
     for (auto const& branch : decision.branches) {
-      giveOwnCopy(branch.facets, vertex,
-                  addCopy(vertex, branch.is_on_plus_side ? plus : vertex, true));
+      const int minus = branch.is_on_plus_side ? plus : vertex;
+      const bool is_joint = !branch.plus_cells.empty();
+      const int copy = addCopy(vertex, minus, !is_joint, is_joint);
+      giveOwnCopy(branch.facets, vertex, copy);
+      giveVertex(branch.plus_cells, minus, copy);
     }
   }
 
@@ -177,11 +181,11 @@ private:
     }
   }
 
-  int addCopy(int vertex, int minus, bool is_tip)
+  int addCopy(int vertex, int minus, bool is_tip, bool is_joint = false)
   {
     const auto plus = static_cast<int>(result_.vertices.size());
     result_.vertices.push_back(mesh_.vertices[vertex]);
-    result_.splits.push_back({plus, minus, is_tip});
+    result_.splits.push_back({plus, minus, is_tip, is_joint});
     return plus;
   }
 
@@ -243,6 +247,7 @@ private:
 
   GlobalMesh<Dim> const& mesh_;
   std::string const& where_;
+  BranchEnd branch_end_;
   detail::FacetTable<Dim> table_;
   std::vector<std::string> names_;
   std::vector<detail::FaultFacet<Dim>> facets_;        // sorted by key
@@ -254,16 +259,16 @@ private:
   std::set<int> on_surface_;
   std::set<std::pair<int, int>> edges_on_surface_;
   std::vector<int> copies_; // the plus of the fault's vertex with this number
-  // By facet and vertex: the tips of branches, and the plus of the second fault at a crossing.
+  // By facet and vertex: the ends of branches, and the plus of the second fault at a crossing.
   std::map<std::pair<int, int>, int> own_copies_;
   GlobalMesh<Dim> result_;
 };
 } // namespace
 
 template <int Dim>
-void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where)
+void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where, BranchEnd branch_end)
 {
-  Splitter<Dim> splitter(mesh, where);
+  Splitter<Dim> splitter(mesh, where, branch_end);
   if (!splitter.hasFaults()) {
     return;
   }
@@ -274,6 +279,6 @@ void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where)
   mesh = splitter.run();
 }
 
-template void splitFaults(GlobalMesh<2>&, std::string const&);
-template void splitFaults(GlobalMesh<3>&, std::string const&);
+template void splitFaults(GlobalMesh<2>&, std::string const&, BranchEnd);
+template void splitFaults(GlobalMesh<3>&, std::string const&, BranchEnd);
 } // namespace asperity::mesh

@@ -4,6 +4,15 @@
 
 namespace asperity::mesh
 {
+// What a branch has where it ends at a fault that goes on. Along that fault, and at right angles to
+// both normals, the three blocks may move without opening a fault: in space along the line at which
+// the two meet, in an antiplane model across the plane of the mesh. In plane strain they may not.
+enum class BranchEnd
+{
+  tip,
+  joint
+};
+
 // Splits the mesh along all its faults, that is, the boundaries inside the body. A mesh without
 // faults is not changed.
 //
@@ -17,7 +26,8 @@ namespace asperity::mesh
 // Copies: if the facets of the faults divide the cells at a vertex into two sets, the cells of the
 // plus side get a copy of the vertex, plus, and all others keep the vertex, minus. If they do not
 // divide the cells, the fault ends inside the body: a tip. Faults whose facets divide the cells on
-// one side of another fault, or only touch it, are branches, and each ends there with a tip. Where
+// one side of another fault, or only touch it, are branches. Each ends there with a tip or, if
+// branch_end says so and it alone divides the cells on that side, with a joint (Joints.hpp). Where
 // two faults cross, each of the four sets of cells has a vertex (Crossings.hpp). In space they
 // cross along a line; where it ends inside the body, a fault that goes on is split in two, and the
 // other one has a tip on each side of it. Copies are numbered after the original vertices, in the
@@ -37,5 +47,6 @@ namespace asperity::mesh
 // be oriented, that touch the surface of the body in a single point, or that have only tips; for a
 // facet in two faults; for a boundary that is partly inside the body; for a periodic mesh.
 template <int Dim>
-void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where);
+void splitFaults(GlobalMesh<Dim>& mesh, std::string const& where,
+                 BranchEnd branch_end = Dim == 3 ? BranchEnd::joint : BranchEnd::tip);
 } // namespace asperity::mesh

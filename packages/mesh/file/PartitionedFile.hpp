@@ -24,7 +24,8 @@
 //   /cell_regions           (c)              index into region_names
 //   /cell_ids               (c)              numbers of the cells in the whole mesh
 //   /splits                 (s, 3)           plus, minus, by their numbers within the part, and 1
-//                                            for a tip, otherwise 0 (SplitVertex)
+//                                            for a tip, 2 for a joint, otherwise 0
+//                                            (SplitVertex)
 //   /boundaries/<name>/facets      (f, dimension)   vertices by their numbers within the part
 //   /boundaries/<name>/facet_ids   (f)       numbers of the facets in the whole mesh's boundary
 //

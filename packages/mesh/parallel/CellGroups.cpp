@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Directory.hpp"
 #include "base/parallel/Messages.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -55,7 +56,7 @@ public:
 
 private:
   static constexpr std::size_t cell_width = 1 + (Dim + 1) + 1; // question, vertices, region
-  static constexpr std::size_t pair_width = 1 + 3;             // question, plus, minus, is_tip
+  static constexpr std::size_t pair_width = 1 + 3;             // question, plus, minus, kind
 
   static typename Mesh<Dim>::Cell sorted(typename Mesh<Dim>::Cell cell)
   {
@@ -149,8 +150,8 @@ private:
       }
       for (const int i : pairs) {
         auto const& pair = mesh_.splits[i];
-        reply.insert(reply.end(), {mesh_.global_ids[pair.plus], mesh_.global_ids[pair.minus],
-                                   pair.is_tip ? 1 : 0});
+        reply.insert(reply.end(),
+                     {mesh_.global_ids[pair.plus], mesh_.global_ids[pair.minus], kindOf(pair)});
       }
     };
   }
@@ -199,7 +200,8 @@ private:
     for (std::size_t row = 0; row < pairs.size(); row += pair_width) {
       const int plus = local_.at(pairs[row + 1]);
       if (known.insert(plus).second) {
-        mesh_.splits.push_back({plus, local_.at(pairs[row + 2]), pairs[row + 3] != 0});
+        mesh_.splits.push_back(
+          splitVertex(plus, local_.at(pairs[row + 2]), static_cast<int>(pairs[row + 3])));
       }
     }
     std::sort(mesh_.splits.begin(), mesh_.splits.end(),

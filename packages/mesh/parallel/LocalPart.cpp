@@ -69,7 +69,7 @@ public:
       , local_(mesh.vertices.size(), -1)
       , pairs_(mesh.splits)
   {
-    for (auto const& [plus, minus, is_tip] : mesh.splits) {
+    for (auto const& [plus, minus, is_tip, is_joint] : mesh.splits) {
       const int lowest = lowest_.emplace(minus, minus).first->second; // known if it is a plus, too
       lowest_.emplace(plus, lowest);
       at_lowest_.insert({{lowest, lowest}, {lowest, plus}});
@@ -150,7 +150,8 @@ private:
     part.faults = mesh_.faults;
     for (std::size_t v = 0; v < part.global_ids.size(); ++v) {
       if (auto const* pair = pairs_.find(static_cast<int>(part.global_ids[v]))) {
-        part.splits.push_back({static_cast<int>(v), local_[pair->minus], pair->is_tip});
+        part.splits.push_back(
+          {static_cast<int>(v), local_[pair->minus], pair->is_tip, pair->is_joint});
       }
     }
   }

@@ -29,7 +29,7 @@ FaultEdges<Dim>::FaultEdges(Mesh<Dim> const& part, std::string const& where)
 template <int Dim>
 void FaultEdges<Dim>::markPairs()
 {
-  for (auto const& [plus, minus, is_tip] : part_.splits) {
+  for (auto const& [plus, minus, is_tip, is_joint] : part_.splits) {
     has_pair_[plus] = has_pair_[minus] = true;
     is_minus_of_tip_[minus] = is_minus_of_tip_[minus] || is_tip;
   }
@@ -45,8 +45,8 @@ void FaultEdges<Dim>::collectEdges()
   }
 }
 
-// Each edge between tips is cut by its own fault or by none. An edge that another fault has cut
-// already is not decided again.
+// Each edge between tips is cut by its own fault or by none. On an edge that another fault has cut
+// already, it is a branch, which may cut the cells on its side once more.
 template <int Dim>
 void FaultEdges<Dim>::decideEdgesOfTips()
 {
@@ -60,28 +60,31 @@ void FaultEdges<Dim>::decideEdgesOfTips()
     if (!isOwned(edge)) {
       continue;
     }
-    if (opened.count(edge) == 0) {
-      decideCut(edge, facets);
+    const bool is_of_other_fault = opened.count(edge) > 0;
+    if (Dim == 3 || !is_of_other_fault) { // in the plane the edge is the facet of one fault
+      decideCut(edge, facets, is_of_other_fault);
     }
+    const bool is_cut = cuts_.count(edge) > 0;
     for (auto const& facet : facets) {
-      pairs_.push_back({sorted(facet.plus), edge, cuts_.count(edge) == 0});
+      pairs_.push_back({sorted(facet.plus), edge, !is_cut, is_cut && is_of_other_fault});
     }
   }
 }
 
-// A fault that has tips on both sides of an edge of another one crosses it there.
+// A fault that has facets on both sides of an edge of another one crosses it there. Between two
+// tips on one side, the edges of cells do not tell the copies apart.
 template <int Dim>
 void FaultEdges<Dim>::requireNoCrossing() const
 {
   for (auto const& pair : pairs_) {
-    const auto above = tip_facets_.find(pair.plus), below = tip_facets_.find(pair.minus);
-    if (above == tip_facets_.end() || below == tip_facets_.end()) {
-      continue;
-    }
-    for (auto const& one : above->second) {
-      for (auto const& other : below->second) {
-        if (*one.fault == *other.fault) {
-          refuseCopies(pair.plus, *one.fault);
+    for (auto const& [tips, others] :
+         {std::make_pair(pair.plus, pair.minus), std::make_pair(pair.minus, pair.plus)}) {
+      const auto found = tip_facets_.find(tips);
+      const auto open = open_to_.find(others);
+      for (std::size_t i = 0; found != tip_facets_.end() && i < found->second.size(); ++i) {
+        auto const& fault = *found->second[i].fault;
+        if (open != open_to_.end() && open->second.count(fault) > 0) {
+          refuseCopies(tips, fault);
         }
       }
     }
@@ -98,16 +101,66 @@ void FaultEdges<Dim>::refuseCopies(Edge const& edge, std::string const& fault) c
                    "before it is split, with a smaller cell size.");
 }
 
+// Whether a fault whose facets have this edge may end along it at another fault with a joint. Where
+// it does so at an end of the edge and crosses the other one at the other end, it crosses it along
+// the edge.
+template <int Dim>
+bool FaultEdges<Dim>::mayHaveJoint(int first, int second) const
+{
+  const auto is_joint = [this](int plus) {
+    auto const* pair = sides_.find(plus);
+    return pair && pair->is_joint;
+  };
+  return (is_joint(first) || is_joint(second)) && !sides_.isAtCrossing(first) &&
+         !sides_.isAtCrossing(second);
+}
+
+// Finds the joints among the pairs that may be some: the others lie inside a branch, not along the
+// fault at which it ends.
+template <int Dim>
+void FaultEdges<Dim>::findJoints()
+{
+  std::set<Edge> of_main;
+  for (auto const& pair : pairs_) {
+    if (!pair.is_tip && !pair.is_joint) {
+      of_main.insert(pair.plus);
+      of_main.insert(pair.minus);
+    }
+  }
+  for (auto& pair : pairs_) {
+    pair.is_joint =
+      pair.is_joint && (of_main.count(pair.plus) > 0 || of_main.count(pair.minus) > 0);
+    if (pair.is_joint) {
+      joints_.emplace(pair.plus, pair);
+    }
+  }
+}
+
+// The copy of an edge that the cells would have without the branch that ends along it.
+template <int Dim>
+Edge FaultEdges<Dim>::withoutJoint(Edge const& edge) const
+{
+  const auto joint = joints_.find(edge);
+  return joint == joints_.end() ? edge : joint->second.minus;
+}
+
 // Each once. On the plus side of both faults that cross along an edge, each fault has another copy
-// on its minus side. Both of these have a pair with the fourth copy.
+// on its minus side. Both of these have a pair with the fourth copy. Where a branch ends along the
+// edge, the pair of the fault that goes on is the same on both sides of it.
 template <int Dim>
 void FaultEdges<Dim>::sortPairs()
 {
+  findJoints();
   std::map<Edge, std::set<std::pair<Edge, bool>>> minus_of; // with is_tip, by plus
   for (auto const& pair : pairs_) {
-    minus_of[pair.plus].insert({pair.minus, pair.is_tip});
+    if (!pair.is_joint) {
+      minus_of[withoutJoint(pair.plus)].insert({withoutJoint(pair.minus), pair.is_tip});
+    }
   }
   pairs_.clear();
+  for (auto const& joint : joints_) {
+    pairs_.push_back(joint.second);
+  }
   for (auto const& [plus, found] : minus_of) {
     auto [minus, is_tip] = *found.begin();
     if (found.size() > 1) {
@@ -126,10 +179,12 @@ void FaultEdges<Dim>::addFacet(std::string const& fault, Facet const& facet)
   for (auto const& [i, j] : FacetRule<Dim>::edges) {
     const Edge plus_edge = sorted(Edge{plus_facet[i], plus_facet[j]}),
                minus_edge = sorted(Edge{minus_facet[i], minus_facet[j]});
+    open_to_[plus_edge].insert(fault);
     if (plus_edge != minus_edge) {
       if (isOwned(plus_edge)) {
-        pairs_.push_back({plus_edge, minus_edge, false});
+        pairs_.push_back({plus_edge, minus_edge, false, mayHaveJoint(facet[i], facet[j])});
       }
+      open_to_[minus_edge].insert(fault);
     } else {
       const Edge plus{facet[i], facet[j]};
       edges_of_tips_.push_back(plus);
@@ -174,7 +229,8 @@ int FaultEdges<Dim>::cellSetOn(Star const& star, typename Star::Sets const& sets
 }
 
 template <int Dim>
-void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& facets)
+void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& facets,
+                                bool is_of_other_fault)
 {
   std::set<Facet> of_faults;
   for (auto const& each : facets) {
@@ -197,6 +253,9 @@ void FaultEdges<Dim>::decideCut(Edge const& edge, std::vector<TipFacet> const& f
   }
   if (sets.count > 2 || plus.size() > 1 || minus.size() > 1 || plus == minus ||
       plus_edges.size() > 1) {
+    if (is_of_other_fault) {
+      return; // branches that end here with tips
+    }
     refuseCopies(edge, *facets.front().fault);
   }
   auto& cut = cuts_[edge];

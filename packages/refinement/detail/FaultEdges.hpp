@@ -6,6 +6,7 @@
 #include "refinement/detail/PartEdges.hpp"
 
 #include <map>
+#include <set>
 
 namespace asperity::refinement::detail
 {
@@ -20,11 +21,14 @@ bool hasVertices(std::array<int, N> const& cell, std::array<int, M> const& simpl
 
 // A pair of new vertices on a fault: the midpoints of the edges `plus` and `minus`, which are
 // copies of one edge of a facet. Of the four copies of an edge along which two faults cross, three
-// are the plus of a pair with the fourth one.
+// are the plus of a pair with the fourth one. Of the three of an edge along which a branch ends,
+// two are the pair of the fault that goes on, and the third one is the plus of a joint
+// (mesh::Joint).
 struct MidpointPair
 {
   Edge plus, minus; // local vertices, ascending
   bool is_tip = false;
+  bool is_joint = false;
 };
 
 // An edge whose ends are tips, but whose middle slips: it leads from tip to tip through the inside
@@ -37,7 +41,7 @@ struct CutEdge
 
 // The copies of midpoints that faults need when a part is refined. The midpoint of an edge has two
 // copies if the cells around it fall into two sets when the facets of the faults are cut, as in
-// splitFaults.
+// splitFaults, and three where they fall into three at a joint.
 template <int Dim>
 class FaultEdges
 {
@@ -87,8 +91,11 @@ private:
   void decideEdgesOfTips();
   void requireNoCrossing() const;
   void sortPairs();
+  void findJoints();
+  Edge withoutJoint(Edge const& edge) const;
+  bool mayHaveJoint(int first, int second) const;
 
-  void decideCut(Edge const& edge, std::vector<TipFacet> const& facets);
+  void decideCut(Edge const& edge, std::vector<TipFacet> const& facets, bool is_of_other_fault);
   [[noreturn]] void refuseCopies(Edge const& edge, std::string const& fault) const;
   int cellSetOn(Star const& star, typename Star::Sets const& sets, Facet const& facet,
                 bool plus_side) const;
@@ -106,5 +113,7 @@ private:
   std::map<Edge, std::vector<int>> rings_;
   std::map<Edge, CutEdge> cuts_;
   std::vector<MidpointPair> pairs_;
+  std::map<Edge, MidpointPair> joints_;           // by their plus
+  std::map<Edge, std::set<std::string>> open_to_; // the faults that have this copy of an edge
 };
 } // namespace asperity::refinement::detail

@@ -25,7 +25,7 @@ std::vector<GlobalOrdinal> idsOfPlaces(Mesh<Dim> const& part)
   auto ids = part.global_ids;
   for (bool has_changed = true; has_changed;) {
     has_changed = false;
-    for (auto const& [plus, minus, is_tip] : part.splits) {
+    for (auto const& [plus, minus, is_tip, is_joint] : part.splits) {
       const auto least = std::min(ids[plus], ids[minus]);
       has_changed = has_changed || ids[plus] != least || ids[minus] != least;
       ids[plus] = ids[minus] = least;

@@ -2,6 +2,8 @@
 
 #include "base/parallel/Messages.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 #include <unordered_map>
 
@@ -15,19 +17,21 @@ class OwnedPairs
 public:
   struct Row
   {
-    GlobalOrdinal plus, minus, is_tip;
+    GlobalOrdinal plus, minus;
+    int kind;
   };
 
   template <int Dim>
   OwnedPairs(FaultEdges<Dim> const& faults, Points<Dim> const& points, int rank)
   {
-    for (auto const& [plus, minus, is_tip] : faults.pairs()) {
+    for (auto const& pair : faults.pairs()) {
+      auto const &plus = pair.plus, &minus = pair.minus;
       const int above = points.midpoint(plus[0], plus[1]);
       if (points.owner(above) == rank) {
         const int below = points.midpoint(minus[0], minus[1]);
         at_.emplace(points.id(above), rows_.size());
         at_.emplace(points.id(below), rows_.size());
-        rows_.push_back({points.id(above), points.id(below), is_tip ? 1 : 0});
+        rows_.push_back({points.id(above), points.id(below), mesh::kindOf(pair)});
       }
     }
   }
@@ -61,29 +65,26 @@ private:
 
 // The pairs of the coarse part, which has either both vertices of a pair or none.
 template <int Dim>
-std::vector<PointPair> coarsePairs(std::vector<char>& needed, Mesh<Dim> const& coarse)
+std::vector<SplitVertex> coarsePairs(std::vector<char>& needed, Mesh<Dim> const& coarse)
 {
   for (bool has_grown = true; has_grown;) {
     has_grown = false;
-    for (auto const& [plus, minus, is_tip] : coarse.splits) {
+    for (auto const& [plus, minus, is_tip, is_joint] : coarse.splits) {
       has_grown = has_grown || needed[plus] != needed[minus];
       needed[plus] = needed[minus] = needed[plus] || needed[minus] ? 1 : 0;
     }
   }
-  std::vector<PointPair> pairs;
-  for (auto const& [plus, minus, is_tip] : coarse.splits) {
-    if (needed[plus]) {
-      pairs.push_back({plus, minus, is_tip});
-    }
-  }
+  std::vector<SplitVertex> pairs;
+  std::copy_if(coarse.splits.begin(), coarse.splits.end(), std::back_inserter(pairs),
+               [&](SplitVertex const& pair) { return needed[pair.plus] != 0; });
   return pairs;
 }
 } // namespace
 
 template <int Dim>
-std::vector<PointPair> pairsOf(std::vector<char>& needed, Mesh<Dim> const& coarse,
-                               FaultEdges<Dim> const& faults, Points<Dim>& points,
-                               Communicator const& communicator)
+std::vector<SplitVertex> pairsOf(std::vector<char>& needed, Mesh<Dim> const& coarse,
+                                 FaultEdges<Dim> const& faults, Points<Dim>& points,
+                                 Communicator const& communicator)
 {
   if (coarse.faults.empty()) { // on all ranks
     return {};
@@ -106,7 +107,7 @@ std::vector<PointPair> pairsOf(std::vector<char>& needed, Mesh<Dim> const& coars
   }
   const auto answer = [&](GlobalOrdinal const* id, Rows& reply) {
     for (auto const& row : owned.around(*id)) {
-      reply.insert(reply.end(), {row.plus, row.minus, row.is_tip});
+      reply.insert(reply.end(), {row.plus, row.minus, row.kind});
     }
   };
   const Rows rows = ask(questions, 1, owners, 3, answer, communicator);
@@ -123,14 +124,14 @@ std::vector<PointPair> pairsOf(std::vector<char>& needed, Mesh<Dim> const& coars
     const int twin = asked[static_cast<std::size_t>(rows[i])];
     const int plus = point_of(rows[i + 1], twin), minus = point_of(rows[i + 2], twin);
     if (known_plus.insert(rows[i + 1]).second) {
-      pairs.push_back({plus, minus, rows[i + 3] != 0});
+      pairs.push_back(mesh::splitVertex(plus, minus, static_cast<int>(rows[i + 3])));
     }
   }
   return pairs;
 }
 
-template std::vector<PointPair> pairsOf(std::vector<char>&, Mesh<2> const&, FaultEdges<2> const&,
-                                        Points<2>&, Communicator const&);
-template std::vector<PointPair> pairsOf(std::vector<char>&, Mesh<3> const&, FaultEdges<3> const&,
-                                        Points<3>&, Communicator const&);
+template std::vector<SplitVertex> pairsOf(std::vector<char>&, Mesh<2> const&, FaultEdges<2> const&,
+                                          Points<2>&, Communicator const&);
+template std::vector<SplitVertex> pairsOf(std::vector<char>&, Mesh<3> const&, FaultEdges<3> const&,
+                                          Points<3>&, Communicator const&);
 } // namespace asperity::refinement::detail

@@ -5,17 +5,11 @@
 
 namespace asperity::refinement::detail
 {
-struct PointPair
-{
-  int plus, minus; // points
-  bool is_tip;
-};
-
-// All pairs of which a point is in `needed` (points of this rank's part), each once, those of the
-// coarse part first. Their points join `needed`; those that only other ranks have join `points`.
-// Collective.
+// All pairs, by points in place of vertices, of which a point is in `needed` (points of this rank's
+// part), each once, those of the coarse part first. Their points join `needed`; those that only
+// other ranks have join `points`. Collective.
 template <int Dim>
-std::vector<PointPair> pairsOf(std::vector<char>& needed, Mesh<Dim> const& coarse,
-                               FaultEdges<Dim> const& faults, Points<Dim>& points,
-                               Communicator const& communicator);
+std::vector<SplitVertex> pairsOf(std::vector<char>& needed, Mesh<Dim> const& coarse,
+                                 FaultEdges<Dim> const& faults, Points<Dim>& points,
+                                 Communicator const& communicator);
 } // namespace asperity::refinement::detail

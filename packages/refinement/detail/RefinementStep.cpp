@@ -209,9 +209,16 @@ private:
 
   // The vertex of the facets of a fault at the place of a vertex of its plus side. The two differ
   // at crossings, on the plus side of both faults: there the minus side of the fault has the vertex
-  // of the other one.
+  // of the other one. They also differ at joints, for the fault that goes on, on the plus side of
+  // the branch, if this lies on the plus side of that fault.
   int nodeOf(int vertex, int point_below) const
   {
+    const auto joint = joints_.find(vertex);
+    if (joint != joints_.end()) {
+      const int below = numberOf(point_below);
+      const bool is_of_branch = below == joint->second.minus || below == vertex;
+      return is_of_branch ? vertex : joint->second.main;
+    }
     const auto crossing = crossings_.find(vertex);
     if (crossing == crossings_.end()) {
       return vertex;
@@ -223,13 +230,17 @@ private:
   void addPairs()
   {
     auto& splits = fine_.mesh.splits;
-    for (auto const& [plus, minus, is_tip] : pairs_) {
-      splits.push_back({numberOf(plus), numberOf(minus), is_tip});
+    for (auto const& pair : pairs_) {
+      splits.push_back(
+        mesh::splitVertex(numberOf(pair.plus), numberOf(pair.minus), mesh::kindOf(pair)));
     }
     std::sort(splits.begin(), splits.end(),
               [](auto const& a, auto const& b) { return a.plus < b.plus; });
     for (auto const& crossing : mesh::crossingsOf(splits)) {
       crossings_.emplace(crossing.both, crossing);
+    }
+    for (auto const& joint : mesh::jointsOf(splits)) {
+      joints_.emplace(joint.plus, joint);
     }
   }
 
@@ -239,10 +250,11 @@ private:
   PartEdges<Dim> edges_;
   Points<Dim> points_;
   CutCells<Dim> cut_cells_;
-  std::vector<char> needed_; // (num_points) 1 if a vertex of the refined part
-  std::vector<int> number_;  // (num_points) its local number, or -1
-  std::vector<PointPair> pairs_;
+  std::vector<char> needed_;       // (num_points) 1 if a vertex of the refined part
+  std::vector<int> number_;        // (num_points) its local number, or -1
+  std::vector<SplitVertex> pairs_; // by points
   std::unordered_map<int, mesh::Crossing> crossings_; // of the refined part, by `both`
+  std::unordered_map<int, mesh::Joint> joints_;       // of the refined part, by plus
   OwnedPart<Dim> fine_;
 };
 } // namespace

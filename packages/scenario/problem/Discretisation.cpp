@@ -70,8 +70,10 @@ Discretisation<Dim> discretise(DeckSettings const& settings,
                    "condition of Type "
                      << quotedAlternatives(kinds)
                      << ". Name the boundary that is the fault, or remove the list.");
-  auto mesh = makeMesh<Dim>(settings.lists.mesh,
-                            boundary.faults.empty() ? "" : boundary.faults.front(), communicator);
+  const auto branch_end = components == 2 ? mesh::BranchEnd::tip : mesh::BranchEnd::joint;
+  auto mesh =
+    makeMesh<Dim>(settings.lists.mesh, boundary.faults.empty() ? "" : boundary.faults.front(),
+                  branch_end, communicator);
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh, *communicator);

@@ -33,7 +33,7 @@ std::vector<bool> heldNodes(Problem<Dim> const& problem,
   }
   for (auto const& pair : problem.mesh().splits) {
     const int node = pair.plus < problem.mesh().num_owned ? surface.nodeAt(pair.plus) : -1;
-    if (pair.is_tip && node >= 0) {
+    if ((pair.is_tip || pair.is_joint) && node >= 0) { // another fault holds slip there
       held[node] = false;
     }
   }

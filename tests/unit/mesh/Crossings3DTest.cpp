@@ -114,14 +114,15 @@ TEST(Crossings3D, EndWhereBothFaultsEnd)
   EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 1.0}).size(), 1u);
 }
 
-// Below z = 2 the dyke ends at the main fault as a branch, above it crosses it.
+// Below z = 2 the dyke ends at the main fault with joints, above it crosses it. The crossing begins
+// at z = 2 with a joint on one side and a tip on the other one.
 TEST(Crossings3D, BecomeABranch)
 {
   const auto mesh = goodSplit(
     faultedBox({{"dyke", [](auto& p) { return isAtTwo(p) && (p[1] >= 0.0 || p[2] >= 2.0); }},
                 {"main", isFlat}}),
-    // y < 0 at z = 2; both sides at the end of the line; one side at z = 0 and 1
-    2 + 2 + 2, 23 + 2 * 3 + 2 * 5 + 2 * 2);
+    // y < 0 at z = 2; the main fault, the dyke on both sides, crossings, joints at z = 0, 1 and 2
+    3, 23 + 2 * 3 + 2 * 5 + 2 * 2 + 3);
   expectSidesOfFacets(mesh);
   EXPECT_EQ(placesOfCrossings(mesh), onLine(3, 4));
 }
@@ -144,8 +145,9 @@ TEST(Crossings3D, OfNamesThatContinueEachOther)
       {{"dyke", isAtTwo},
        {"east", is_east},
        {"west", [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9 && p[0] <= 2.0; }}}),
-    5 * 2, 25 + 10 + 10);
+    0, 25 + 10 + 10 + 2 * 5);
   expectSidesOfFacets(branches);
+  EXPECT_EQ(jointsOf(branches.splits).size(), 2u * 5u);
   EXPECT_TRUE(placesOfCrossings(branches).empty());
 }
 

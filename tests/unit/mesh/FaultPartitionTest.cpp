@@ -70,16 +70,17 @@ void expectGoodPart(GlobalMesh<Dim> const& mesh, Mesh<Dim> const& part)
   }
   std::set<std::array<long long, 3>> expected, found;
   std::set<long long> needed;
-  for (auto const& [plus, minus, is_tip] : mesh.splits) {
+  for (auto const& pair : mesh.splits) {
+    auto const &plus = pair.plus, &minus = pair.minus;
     EXPECT_EQ(here.count(plus), here.count(minus));
     EXPECT_EQ(is_owned[plus], is_owned[minus]);
     if (here.count(plus) > 0) {
-      expected.insert({plus, minus, is_tip});
+      expected.insert({plus, minus, kindOf(pair)});
       needed.insert({plus, minus});
     }
   }
-  for (auto const& [plus, minus, is_tip] : part.splits) {
-    found.insert({part.global_ids[plus], part.global_ids[minus], is_tip});
+  for (auto const& pair : part.splits) {
+    found.insert({part.global_ids[pair.plus], part.global_ids[pair.minus], kindOf(pair)});
   }
   EXPECT_EQ(found, expected);
   EXPECT_EQ(found.size(), part.splits.size());
@@ -224,6 +225,18 @@ TEST(FaultPartition, ChecksumSeesThePairs)
   EXPECT_EQ(checksum(part, ChecksumOf::numbering, *world()), before);
   for (auto& pair : part.splits) {
     pair.is_tip = !pair.is_tip;
+  }
+  EXPECT_NE(checksum(part, ChecksumOf::numbering, *world()), before);
+}
+
+TEST(FaultPartition, ChecksumSeesJoints)
+{
+  const auto mesh = branchedBox();
+  EXPECT_GT(jointsOf(mesh.splits).size(), 0u);
+  auto part = localPart(mesh, partitionVertices(mesh, world()->getSize()), world()->getRank());
+  const auto before = checksum(part, ChecksumOf::numbering, *world());
+  for (auto& pair : part.splits) {
+    pair.is_joint = false;
   }
   EXPECT_NE(checksum(part, ChecksumOf::numbering, *world()), before);
 }

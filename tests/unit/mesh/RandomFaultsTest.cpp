@@ -7,7 +7,7 @@ namespace
 {
 // How many of the meshes can be split; the others are refused with one message.
 template <int Dim>
-int numSplit(GlobalMesh<Dim> const& mesh, int num_trials)
+int numSplit(GlobalMesh<Dim> const& mesh, int num_trials, BranchEnd branch_end)
 {
   std::mt19937 random(1);
   int num_split = 0;
@@ -15,7 +15,7 @@ int numSplit(GlobalMesh<Dim> const& mesh, int num_trials)
     const auto faulted = withRandomFaults(mesh, random);
     auto result = faulted;
     try {
-      splitFaults(result, "Here");
+      splitFaults(result, "Here", branch_end);
     } catch (InputError const& error) {
       EXPECT_EQ(std::string(error.what()).rfind("Here: ", 0), 0u);
       continue;
@@ -33,11 +33,13 @@ int numSplit(GlobalMesh<Dim> const& mesh, int num_trials)
 TEST(RandomFaults, InThePlane)
 {
   const auto mesh = rectangleMesh({4.0, 4.0, 4, 4, {0.0, 0.0}});
-  EXPECT_GT(numSplit(mesh, 2000), 500);
+  EXPECT_GT(numSplit(mesh, 2000, BranchEnd::tip), 500);
+  EXPECT_GT(numSplit(mesh, 2000, BranchEnd::joint), 500);
 }
 
 TEST(RandomFaults, InSpace)
 {
   const auto mesh = boxMesh({{3.0, 3.0, 3.0}, {3, 3, 3}, {0.0, 0.0, 0.0}});
-  EXPECT_GT(numSplit(mesh, 2000), 250);
+  EXPECT_GT(numSplit(mesh, 2000, BranchEnd::tip), 250);
+  EXPECT_GT(numSplit(mesh, 2000, BranchEnd::joint), 250);
 }

@@ -94,28 +94,116 @@ TEST(SplitFaults3D, KeepsTheSideAlongABentFault)
   EXPECT_NEAR(upOf(mesh, "ramp")[0], -8.0, 1e-12);
 }
 
-TEST(SplitFaults3D, GivesABranchTips)
+// Where the splay ends at the main fault, each of the three sectors has a vertex.
+TEST(SplitFaults3D, GivesABranchJoints)
 {
-  const auto mesh = goodSplit(faultedBox({{"main", isFlat}, {"splay", isUpward}}), 5, 25 + 10);
-  for (double z : {0.0, 1.0, 4.0}) {
-    const auto pairs = pairsAt<3>(mesh, {2.0, 0.0, z});
-    ASSERT_EQ(pairs.size(), 2u);
-    EXPECT_FALSE(pairs[0].is_tip);
-    EXPECT_TRUE(pairs[1].is_tip);
-    EXPECT_EQ(pairs[1].minus, pairs[0].plus);
-  }
+  const auto mesh = goodSplit(faultedBox({{"main", isFlat}, {"splay", isUpward}}), 0, 25 + 10 + 5);
+  expectSidesOfFacets(mesh);
   EXPECT_NEAR(upOf(mesh, "splay")[0], 8.0, 1e-12);
+  const auto joints = jointsOf(mesh.splits);
+  ASSERT_EQ(joints.size(), 5u);
+  const auto splay = boundaryVertices(mesh, "splay"), main = boundaryVertices(mesh, "main");
+  for (auto const& joint : joints) {
+    EXPECT_TRUE(joint.is_on_plus_side);
+    EXPECT_EQ(joint.minus, joint.main);
+    EXPECT_TRUE(std::binary_search(splay.begin(), splay.end(), joint.plus));
+    EXPECT_TRUE(std::binary_search(main.begin(), main.end(), joint.main));
+    auto const place = mesh.vertices[joint.plus];
+    const auto pairs = pairsAt<3>(mesh, place);
+    ASSERT_EQ(pairs.size(), 2u);
+    EXPECT_TRUE(pairs[0] == (SplitVertex{joint.main, pairs[0].minus}));
+    EXPECT_TRUE(pairs[1] == (SplitVertex{joint.plus, joint.main, false, true}));
+    std::set<int> seen;
+    for (auto const& cell : mesh.cells) {
+      const auto x = centroid(corners(mesh, cell));
+      const int expected = x[1] < 0.0 ? pairs[0].minus : x[0] > 2.0 ? joint.plus : joint.minus;
+      for (int vertex : cell) {
+        if (mesh.vertices[vertex] == place) {
+          EXPECT_EQ(vertex, expected);
+          seen.insert(vertex);
+        }
+      }
+    }
+    EXPECT_EQ(seen.size(), 3u);
+  }
 }
 
-// The line along which it branches off ends inside the body; there it divides no side of the other.
+// On the minus side of the main fault, and one on each side of it at the same vertices.
+TEST(SplitFaults3D, GivesJointsOnBothSides)
+{
+  const auto is_downward = [](auto& p) { return p[0] == 2.0 && p[1] <= 0.0; };
+  const auto below = goodSplit(faultedBox({{"main", isFlat}, {"splay", is_downward}}), 0, 40);
+  expectSidesOfFacets(below);
+  for (auto const& joint : jointsOf(below.splits)) {
+    EXPECT_FALSE(joint.is_on_plus_side);
+    EXPECT_EQ(pairsAt<3>(below, below.vertices[joint.plus]).at(0),
+              (SplitVertex{joint.main, joint.minus}));
+  }
+  const auto both = goodSplit(
+    faultedBox(
+      {{"above", isUpward},
+       {"below", [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9 && p[0] <= 2.0; }},
+       {"main", isFlat}}),
+    0, 25 + 10 + 10 + 2 * 5);
+  expectSidesOfFacets(both);
+  std::set<int> minuses;
+  for (auto const& joint : jointsOf(both.splits)) {
+    minuses.insert(joint.minus);
+  }
+  EXPECT_EQ(minuses.size(), 10u);
+}
+
+// The line along which it branches off ends inside the body; there it divides no side of the other,
+// and has a tip.
 TEST(SplitFaults3D, GivesAShortBranchTips)
 {
   const auto mesh =
     goodSplit(faultedBox({{"main", isFlat},
                           {"splay", [](auto& p) { return isUpward(p) && isBetween(p[2], 1, 3); }}}),
-              7, 25 + 2);
-  EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 1.0}).size(), 2u);
+              6, 25 + 2 + 1);
+  expectSidesOfFacets(mesh);
+  for (double z : {1.0, 3.0}) {
+    const auto pairs = pairsAt<3>(mesh, {2.0, 0.0, z});
+    ASSERT_EQ(pairs.size(), 2u);
+    EXPECT_TRUE(pairs[1].is_tip);
+    EXPECT_EQ(pairs[1].minus, pairs[0].plus);
+  }
+  EXPECT_TRUE(pairsAt<3>(mesh, {2.0, 0.0, 2.0}).at(1).is_joint);
   EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 0.0}).size(), 1u);
+}
+
+// Two branches that end on one side at the same line have tips.
+TEST(SplitFaults3D, GivesTwoBranchesOnOneSideTips)
+{
+  const auto mesh = goodSplit(
+    faultedBox(
+      {{"main", isFlat},
+       {"splay", isUpward},
+       {"other", [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9 && p[0] >= 2.0; }}}),
+    2 * 5, 25 + 10 + 10);
+  EXPECT_TRUE(jointsOf(mesh.splits).empty());
+}
+
+TEST(SplitFaults3D, ChecksItsJoints)
+{
+  const auto mesh = split(faultedBox({{"main", isFlat}, {"splay", isUpward}}));
+  const auto refused = [&](auto const& change) {
+    auto changed = mesh;
+    change(changed);
+    test::expectRefusal([&] { checkMesh(changed, "There"); },
+                        {"There: vertex", "belongs to a branch that slips along another fault"});
+  };
+  const int minus = jointsOf(mesh.splits).at(0).minus;
+  refused([&](auto& m) { // the main fault's pair is another joint
+    for (auto& pair : m.splits) {
+      pair.is_joint = pair.is_joint || pair.plus == minus;
+    }
+  });
+  refused([&](auto& m) { // a joint inside the splay
+    for (auto& pair : m.splits) {
+      pair.is_joint = pair.is_joint || m.vertices[pair.plus] == Point<3>{2.0, 1.0, 1.0};
+    }
+  });
 }
 
 TEST(SplitFaults3D, RefusesThreeFaultsThatCross)

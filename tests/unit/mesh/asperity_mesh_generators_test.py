@@ -71,6 +71,14 @@ class PlaneMeshes(mesh_tool.Case):
         self.assertIn("vertices         32, 7 of them copies at faults\n", info)
         self.assertIn("fault            main: 3 facets, 4 vertices, 1 tip, ", info)
         self.assertIn("fault            splay: 2 facets, 3 vertices, 1 tip, ", info)
+        for option, kind in (([], 1), (["--antiplane"], 2)):  # the end of the splay: a tip, a joint
+            self.assert_done("partition", "split.h5", "--parts", "2", "--output", "two.h5",
+                             "--overwrite", *option)
+            with h5py.File("two.h5") as file:
+                kinds = file["splits/values"][:, 2]
+            self.assertEqual(set(kinds.tolist()), {0, 1, kind})
+        self.assert_refused(["partition", "two.h5", "--parts", "1", "--output", "one.h5",
+                             "--antiplane"], "--antiplane needs a whole mesh", "'two.h5'")
         self.assert_done("box", "split_box.h5", "--cells-x", "2", "--cells-y", "2",
                          "--cells-z", "2", "--fault", "main=abs(z - 0.5) < 1e-6")
         info = self.assert_done("info", "split_box.h5")

@@ -9,7 +9,7 @@ using namespace asperity::refinement::test;
 namespace
 {
 // A vertex by its place and by what it is: 0 an ordinary one, or a sum of 1 for the minus of a
-// pair, 2 for the plus of one, 4 for a tip.
+// pair, 2 for the plus of one, 4 for a tip, 8 for a joint.
 template <int Dim>
 using Copy = std::pair<Point<Dim>, int>;
 
@@ -20,8 +20,8 @@ std::vector<Copy<Dim>> copies(GlobalMesh<Dim> const& mesh)
   for (auto const& point : mesh.vertices) {
     result.push_back({point, 0});
   }
-  for (auto const& [plus, minus, is_tip] : mesh.splits) {
-    result[plus].second += is_tip ? 6 : 2;
+  for (auto const& [plus, minus, is_tip, is_joint] : mesh.splits) {
+    result[plus].second += is_tip ? 6 : is_joint ? 10 : 2;
     result[minus].second += is_tip ? 0 : 1;
   }
   return result;
@@ -108,7 +108,7 @@ void expectGoodRefinement(Conditions<3> const& faults)
 }
 
 // Squares of two triangles with parallel diagonals, which stay so when they are refined.
-GlobalMesh<2> slanted(Conditions<2> const& faults, int cells)
+GlobalMesh<2> slanted(Conditions<2> const& faults, int cells, BranchEnd branch_end = BranchEnd::tip)
 {
   auto mesh = rectangleMesh({4, 4, cells, cells, {0, -2}});
   mesh.cells.clear();
@@ -120,13 +120,15 @@ GlobalMesh<2> slanted(Conditions<2> const& faults, int cells)
     }
   }
   addFaults(mesh, faults);
-  return split(mesh);
+  splitFaults(mesh, "test", branch_end);
+  return mesh;
 }
+
 template <int Dim>
-bool canSplit(GlobalMesh<Dim>& mesh)
+bool canSplit(GlobalMesh<Dim>& mesh, BranchEnd branch_end)
 {
   try {
-    splitFaults(mesh, "test");
+    splitFaults(mesh, "test", branch_end);
   } catch (InputError const&) {
     return false;
   }
@@ -136,7 +138,7 @@ bool canSplit(GlobalMesh<Dim>& mesh)
 // How many of the meshes can be split before the refinement and afterwards, and both come to the
 // same. A mesh that cannot be split afterwards is refused before.
 template <int Dim>
-int numRefined(GlobalMesh<Dim> const& mesh, int num_trials)
+int numRefined(GlobalMesh<Dim> const& mesh, int num_trials, BranchEnd branch_end)
 {
   std::mt19937 random(1);
   int num_refined = 0;
@@ -144,11 +146,11 @@ int numRefined(GlobalMesh<Dim> const& mesh, int num_trials)
     SCOPED_TRACE(trial);
     const auto faulted = withRandomFaults(mesh, random);
     auto coarse = faulted;
-    if (!canSplit(coarse)) {
+    if (!canSplit(coarse, branch_end)) {
       continue;
     }
     auto made = wholeRefined(faulted, 1);
-    if (!canSplit(made)) {
+    if (!canSplit(made, branch_end)) {
       EXPECT_THROW(refined(coarse, 1), InputError);
       continue;
     }
@@ -174,6 +176,27 @@ TEST(FaultRefinement, OfBranchesInThePlane)
   expectSameSplit(wholeRefined(coarse, 2), slanted(branchInThePlane(), 16));
   expectGoodParts(coarse, 1);
   expectGoodParts(coarse, 3);
+}
+
+// Those of antiplane models, on one side and on both sides of a fault, also from one joint to
+// another by a single facet.
+TEST(FaultRefinement, OfJointsInThePlane)
+{
+  const auto is_main = [](auto& p) { return p[1] == 0.0; };
+  for (auto const& faults :
+       {branchInThePlane(),
+        Conditions<2>{{"below", [](auto& p) { return p[0] == 2.0 && p[1] <= 0.0; }},
+                      {"main", is_main},
+                      {"splay", [](auto& p) { return p[0] == p[1] + 2.0 && p[1] >= 0.0; }}},
+        Conditions<2>{{"link", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0 && p[1] <= 1.0; }},
+                      {"main", is_main},
+                      {"upper", [](auto& p) { return p[1] == 1.0; }}}}) {
+    const auto coarse = slanted(faults, 4, BranchEnd::joint);
+    EXPECT_GE(jointsOf(coarse.splits).size(), 1u);
+    expectSameSplit(wholeRefined(coarse, 1), slanted(faults, 8, BranchEnd::joint));
+    expectGoodParts(coarse, 1);
+    expectGoodParts(coarse, 2);
+  }
 }
 
 // Two faults that cross a third one, at facets that have a crossing at each end.
@@ -223,7 +246,34 @@ TEST(FaultRefinement, OfASingleFacet)
   expectGoodParts(coarse, 2);
 }
 
-TEST(FaultRefinement, OfBranchesInSpace) { expectGoodRefinement(branchInSpace()); }
+TEST(FaultRefinement, OfBranchesInSpace)
+{
+  EXPECT_GT(jointsOf(boxWith(branchInSpace(), 4).splits).size(), 0u);
+  expectGoodRefinement(branchInSpace());
+}
+
+// The line is one edge, at both of whose ends the branch has tips: its midpoint is a joint.
+TEST(FaultRefinement, OfAJointAtOneEdge)
+{
+  const Conditions<3> faults = {{"main", [](auto& p) { return p[1] == 0.0; }},
+                                {"splay", [](auto& p) {
+                                   return p[0] == 2.0 && p[1] >= 0.0 &&
+                                          (p[1] >= 1.0 || (p[2] >= 1.0 && p[2] <= 2.0));
+                                 }}};
+  EXPECT_TRUE(jointsOf(boxWith(faults, 4).splits).empty());
+  EXPECT_FALSE(jointsOf(wholeRefined(boxWith(faults, 4), 1).splits).empty());
+  expectGoodParts(boxWith(faults, 4), 2);
+}
+
+// Branches on both sides of a fault, on its minus side with a short one.
+TEST(FaultRefinement, OfJointsOnBothSides)
+{
+  expectGoodRefinement(
+    {{"above", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0; }},
+     {"below", [](auto& p) { return p[1] == p[0] - 2.0 && p[1] <= 0.0 && p[2] <= 2.0; }},
+     {"main", [](auto& p) { return p[1] == 0.0; }}});
+}
+
 TEST(FaultRefinement, OfAFaultInsideTheBody) { expectGoodRefinement(buried()); }
 
 TEST(FaultRefinement, OfAFaultThroughTheBody)
@@ -294,7 +344,12 @@ TEST(FaultRefinement, OfANeckBelowTheSurface)
 // Two routes to one mesh: the coarse mesh is split and refined, or refined and then split.
 TEST(FaultRefinement, OfRandomFaultsInThePlane)
 {
-  EXPECT_GT(numRefined(rectangleMesh({4.0, 4.0, 4, 4, {0.0, 0.0}}), 300), 100);
+  const auto mesh = rectangleMesh({4.0, 4.0, 4, 4, {0.0, 0.0}});
+  EXPECT_GT(numRefined(mesh, 300, BranchEnd::tip), 100);
+  EXPECT_GT(numRefined(mesh, 300, BranchEnd::joint), 100);
 }
 
-TEST(FaultRefinement, OfRandomFaultsInSpace) { EXPECT_GT(numRefined(unitBox(3), 300), 40); }
+TEST(FaultRefinement, OfRandomFaultsInSpace)
+{
+  EXPECT_GT(numRefined(unitBox(3), 300, BranchEnd::joint), 40);
+}

@@ -2,6 +2,7 @@
 
 #include "base/parallel/Agreement.hpp"
 #include "fem/constraints/detail/FaultTurns.hpp"
+#include "fem/constraints/detail/JointShares.hpp"
 #include "fem/constraints/detail/NodeFrame.hpp"
 #include "fem/constraints/detail/SplitDirections.hpp"
 #include "fem/constraints/detail/VelocityAgreement.hpp"
@@ -20,6 +21,7 @@ template <int Dim>
 class Collector
 {
 public:
+  // Collective.
   Collector(Mesh<Dim> const& mesh, DofMap const& dofs,
             std::vector<VelocityCondition<Dim>> const& conditions)
       : mesh_(mesh)
@@ -28,6 +30,7 @@ public:
       , frames_(dofs.numLocalNodes(), dofs.components(), mesh.splits)
       , held_flags_(static_cast<std::size_t>(dofs.numLocalNodes()) * dofs.components(), 0)
   {
+    frames_.setShares(jointShares(mesh, dofs));
   }
 
   // Adds an owned node with the directions of its conditions. Not collective.
@@ -145,7 +148,8 @@ ConstrainedNodes<Dim> constrainNodes(Mesh<Dim> const& mesh, DofMap const& dofs,
   std::optional<PrescribedVelocities<Dim>> velocities;
   // Only the owner of a node sees an error there; all ranks have to throw it.
   onEveryRank(communicator, [&] {
-    for (auto const& [node, directions] : meansAndJumps(at_vertices, mesh, conditions)) {
+    for (auto const& [node, directions] :
+         meansAndJumps(at_vertices, mesh, conditions, nodes.frames().vertexTerms())) {
       nodes.constrain(node, directions, agreement);
     }
     velocities.emplace(conditions, nodes.prescribedDofs());

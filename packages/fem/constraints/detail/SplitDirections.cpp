@@ -125,9 +125,10 @@ class MeansAndJumps
 {
 public:
   MeansAndJumps(NodalDirections const& at_vertices, Mesh<Dim> const& mesh,
-                std::vector<VelocityCondition<Dim>> const& conditions)
+                std::vector<VelocityCondition<Dim>> const& conditions, VertexTerms const& terms)
       : mesh_(mesh)
       , conditions_(conditions)
+      , terms_(terms)
       , on_fault_(areOnFaults(conditions, mesh))
       , at_vertices_(at_vertices)
       , result_(at_vertices)
@@ -143,14 +144,17 @@ public:
         addCrossing(crossing);
       }
     }
+    for (std::size_t i = 0; i < terms_.joints().size(); ++i) {
+      if (terms_.joints()[i].plus < mesh_.num_owned) {
+        addJoint(terms_.joints()[i], terms_.share(i));
+      }
+    }
     for (auto const& split : mesh_.splits) {
-      if (split.plus >= mesh_.num_owned) {
+      if (split.plus >= mesh_.num_owned || split.is_joint) {
         continue;
       }
       if (split.is_tip) {
-        result_[split.plus] = those(split.plus, [&](int condition) {
-          return on_fault_[condition] && conditions_[condition].holdsAcross();
-        });
+        result_[split.plus] = across(split.plus);
       } else if (at_crossings.count(split.minus) == 0) {
         addPair(split);
       }
@@ -166,6 +170,55 @@ private:
     requireBothSides(copies.alone(), plus);
     result_[plus] = withFault(plus, copies.combined({1., -1.}));
     result_[minus] = copies.combined({0.5, 0.5});
+  }
+
+  // Over the branch; both vertices together are then one side of the main fault.
+  void addJoint(mesh::Joint const& joint, double share)
+  {
+    const Copies<2> copies({ofBody(joint.plus), ofBody(joint.minus)});
+    requireBothSides(copies.alone(), joint.plus);
+    joined_[joint.minus] = copies.combined({share, 1 - share});
+    auto& jump = result_[joint.plus] = across(joint.plus);
+    const auto of_main = across(joint.main);
+    jump.insert(jump.end(), of_main.begin(), of_main.end());
+    const auto slip = slipAlong(jump, joint.plus);
+    jump.insert(jump.end(), slip.begin(), slip.end());
+    const auto of_body = copies.combined({1., -1.});
+    jump.insert(jump.end(), of_body.begin(), of_body.end());
+  }
+
+  Directions across(int plus) const
+  {
+    return those(plus, [this](int condition) {
+      return on_fault_[condition] && conditions_[condition].holdsAcross();
+    });
+  }
+
+  // What conditions on the fault at this plus vertex prescribe for its slip: in space the part at
+  // right angles to the directions across, in antiplane motion all.
+  Directions slipAlong(Directions const& across, int plus) const
+  {
+    const auto given = those(plus, [this](int condition) {
+      auto const& one = conditions_[condition];
+      return on_fault_[condition] && one.prescribes() && !one.holdsAcross();
+    });
+    if (given.empty() || across.empty()) {
+      return given;
+    }
+    NodalBasis held;
+    for (auto const& direction : across) {
+      Terms none;
+      held.add(direction.vector, none);
+    }
+    const auto components = static_cast<int>(given.front().vector.size());
+    if (held.size() != components - 1) { // in plane strain nothing is left
+      return {};
+    }
+    Direction along{completing(held.vectors(), components), given.front().condition, {}};
+    for (auto const& one : given) {
+      along.terms = sum(std::move(along.terms), scaled(one.terms, dot(one.vector, along.vector)));
+    }
+    return {along};
   }
 
   void addCrossing(mesh::Crossing const& crossing)
@@ -200,6 +253,10 @@ private:
 
   Directions ofBody(int vertex) const
   {
+    const auto joined = joined_.find(vertex);
+    if (joined != joined_.end()) {
+      return joined->second;
+    }
     return those(vertex, [this](int condition) { return !on_fault_[condition]; });
   }
 
@@ -226,21 +283,26 @@ private:
 
   Mesh<Dim> const& mesh_;
   std::vector<VelocityCondition<Dim>> const& conditions_;
+  VertexTerms const& terms_;
   std::vector<bool> on_fault_;
   NodalDirections const& at_vertices_;
   NodalDirections result_;
+  NodalDirections joined_; // of the body, at the minus of joints: for the sides of the main fault
 };
 } // namespace
 
 template <int Dim>
 NodalDirections meansAndJumps(NodalDirections const& directions, Mesh<Dim> const& mesh,
-                              std::vector<VelocityCondition<Dim>> const& conditions)
+                              std::vector<VelocityCondition<Dim>> const& conditions,
+                              VertexTerms const& terms)
 {
-  return MeansAndJumps<Dim>(directions, mesh, conditions).run();
+  return MeansAndJumps<Dim>(directions, mesh, conditions, terms).run();
 }
 
 template NodalDirections meansAndJumps(NodalDirections const&, Mesh<2> const&,
-                                       std::vector<VelocityCondition<2>> const&);
+                                       std::vector<VelocityCondition<2>> const&,
+                                       VertexTerms const&);
 template NodalDirections meansAndJumps(NodalDirections const&, Mesh<3> const&,
-                                       std::vector<VelocityCondition<3>> const&);
+                                       std::vector<VelocityCondition<3>> const&,
+                                       VertexTerms const&);
 } // namespace asperity::fem::detail

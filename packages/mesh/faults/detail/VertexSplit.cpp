@@ -34,11 +34,12 @@ public:
 
   Decision(Star<Dim> const& star, FaultVertex<Dim> const& vertex,
            std::vector<FaultFacet<Dim>> const& facets, std::vector<std::string> const& names,
-           std::string const& where)
+           bool has_joints, std::string const& where)
       : star_(star)
       , vertex_(vertex)
       , facets_(facets)
       , names_(names)
+      , has_joints_(has_joints)
       , where_(where)
   {
     for (int facet : vertex.facets) {
@@ -142,10 +143,10 @@ private:
     throw InputError(
       where_ + ": " + namesOf(faults_) + " meet at " + text(vertex_.place) +
       ", where each of them ends and no two of them are clearly the straightest pair. One fault "
-      "has to go on there, and another one to end at it as a branch, without slip at this node. "
-      "Give the two that are to be one fault the same name: one physical group, one condition in "
-      "Mesh / Faults, or one name by 'asperity-mesh convert --names 3=main,4=main' for groups 3 "
-      "and 4. Or let one of the three end before it reaches the others.");
+      "has to go on there, and another one to end at it as a branch. Give the two that are to be "
+      "one fault the same name: one physical group, one condition in Mesh / Faults, or one name by "
+      "'asperity-mesh convert --names 3=main,4=main' for groups 3 and 4. Or let one of the three "
+      "end before it reaches the others.");
   }
 
   int setOf(Sets const& sets, int cell) const
@@ -240,6 +241,15 @@ private:
         addBranches(fault, sets, plus, split);
       }
     }
+    for (auto& branch : split.branches) {
+      const auto others =
+        std::count_if(split.branches.begin(), split.branches.end(), [&](auto const& other) {
+          return other.is_on_plus_side == branch.is_on_plus_side;
+        });
+      if (has_joints_ && others == 1) {
+        branch.plus_cells = plusCellsAtJoint(branch, main);
+      }
+    }
     return split;
   }
 
@@ -282,10 +292,50 @@ private:
     }
   }
 
+  // The cells on the plus side of a branch if it alone divides those on its side of the main fault
+  // in two, else none.
+  std::vector<int> plusCellsAtJoint(VertexSplit::Branch const& branch,
+                                    std::set<int> const& main) const
+  {
+    if (Dim == 3 && !meetAlongALine(branch, main)) {
+      return {};
+    }
+    const auto sets = star_.cut([](int) { return true; });
+    std::set<int> plus, minus;
+    for (int facet : branch.facets) {
+      auto const& cells = facets_[static_cast<std::size_t>(facet)].cells;
+      plus.insert(setOf(sets, cells[0]));
+      minus.insert(setOf(sets, cells[1]));
+    }
+    return plus.size() == 1 && minus.size() == 1 && plus != minus ? cellsIn(sets, *plus.begin())
+                                                                  : std::vector<int>{};
+  }
+
+  // Whether edges of both go on from the vertex, in space, to two sides or to the surface.
+  bool meetAlongALine(VertexSplit::Branch const& branch, std::set<int> const& main) const
+  {
+    std::set<int> of_branch, of_main, of_both; // ends of edges that begin at the vertex
+    for (int facet : branch.facets) {
+      auto const& key = facets_[static_cast<std::size_t>(facet)].key;
+      of_branch.insert(key.begin(), key.end());
+    }
+    for (int facet : vertex_.facets) {
+      if (main.count(faultOf(facet)) > 0) {
+        auto const& key = facets_[static_cast<std::size_t>(facet)].key;
+        of_main.insert(key.begin(), key.end());
+      }
+    }
+    std::set_intersection(of_branch.begin(), of_branch.end(), of_main.begin(), of_main.end(),
+                          std::inserter(of_both, of_both.end()));
+    of_both.erase(vertex_.number);
+    return of_both.size() == 2 || (of_both.size() == 1 && vertex_.is_on_surface);
+  }
+
   Star<Dim> const& star_;
   FaultVertex<Dim> const& vertex_;
   std::vector<FaultFacet<Dim>> const& facets_;
   std::vector<std::string> const& names_;
+  bool has_joints_;
   std::string const& where_;
   std::map<int, int> fault_of_name_; // at the vertex
   std::set<int> faults_;
@@ -295,15 +345,16 @@ private:
 template <int Dim>
 VertexSplit splitVertex(Star<Dim> const& star, FaultVertex<Dim> const& vertex,
                         std::vector<FaultFacet<Dim>> const& facets,
-                        std::vector<std::string> const& names, std::string const& where)
+                        std::vector<std::string> const& names, bool has_joints,
+                        std::string const& where)
 {
-  return Decision<Dim>(star, vertex, facets, names, where).run();
+  return Decision<Dim>(star, vertex, facets, names, has_joints, where).run();
 }
 
 template VertexSplit splitVertex(Star<2> const&, FaultVertex<2> const&,
                                  std::vector<FaultFacet<2>> const&, std::vector<std::string> const&,
-                                 std::string const&);
+                                 bool, std::string const&);
 template VertexSplit splitVertex(Star<3> const&, FaultVertex<3> const&,
                                  std::vector<FaultFacet<3>> const&, std::vector<std::string> const&,
-                                 std::string const&);
+                                 bool, std::string const&);
 } // namespace asperity::mesh::detail

@@ -15,9 +15,10 @@ struct VertexSplit
   struct Branch
   {
     std::vector<int> facets;
-    bool is_on_plus_side; // of the cut
+    bool is_on_plus_side;             // of the cut
+    std::vector<int> plus_cells = {}; // of the branch, at a joint; none where it has a tip
   };
-  std::vector<Branch> branches; // faults with a tip at the cut, perhaps on each side of it
+  std::vector<Branch> branches; // faults that end at the cut, perhaps on each side of it
   struct Crossing               // of two faults, with the first and second one of mesh::Crossing
   {
     std::array<std::vector<int>, 2> facets;
@@ -40,9 +41,10 @@ struct FaultVertex
 };
 
 // InputError, which starts with `where`, if the vertex cannot be split. `facets` are the facets of
-// all faults, `names` the names of the faults.
+// all faults, `names` the names of the faults. has_joints: whether branches may have joints.
 template <int Dim>
 VertexSplit splitVertex(Star<Dim> const& star, FaultVertex<Dim> const& vertex,
                         std::vector<FaultFacet<Dim>> const& facets,
-                        std::vector<std::string> const& names, std::string const& where);
+                        std::vector<std::string> const& names, bool has_joints,
+                        std::string const& where);
 } // namespace asperity::mesh::detail

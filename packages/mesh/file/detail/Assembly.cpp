@@ -76,10 +76,10 @@ void Assembly<Dim>::add(NumberedPart<Dim> const& part, std::string const& where)
 template <int Dim>
 void Assembly<Dim>::addPairs(Mesh<Dim> const& part)
 {
-  for (auto const& [plus, minus, is_tip] : part.splits) {
+  for (auto const& [plus, minus, is_tip, is_joint] : part.splits) {
     const auto number = static_cast<int>(part.global_ids[static_cast<std::size_t>(plus)]);
     pairs_[number] = {number, static_cast<int>(part.global_ids[static_cast<std::size_t>(minus)]),
-                      is_tip};
+                      is_tip, is_joint};
   }
 }
 

@@ -1,6 +1,7 @@
 #include "mesh/file/detail/PartCheck.hpp"
 
 #include "base/Errors.hpp"
+#include "mesh/Joints.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/SplitVertices.hpp"
 #include "mesh/detail/Conformity.hpp"
@@ -80,7 +81,7 @@ void checkPairs(Mesh<Dim> const& part, std::string const& where)
 {
   const auto num_vertices = static_cast<long long>(part.vertices.size());
   int before = -1;
-  for (auto const& [plus, minus, is_tip] : part.splits) {
+  for (auto const& [plus, minus, is_tip, is_joint] : part.splits) {
     ASPERITY_REQUIRE(plus > before && isInRange(plus, num_vertices) &&
                        isInRange(minus, num_vertices) && plus != minus,
                      where << ": the pair of vertices " << plus << " and " << minus
@@ -94,6 +95,7 @@ void checkPairs(Mesh<Dim> const& part, std::string const& where)
     before = plus;
   }
   checkCrossings(part, where);
+  checkJoints(part, where);
 }
 
 template <int Dim>

@@ -158,7 +158,7 @@ std::string fileNameOf(ParameterList const& list)
 // This rank's part of the mesh before it is refined.
 template <int Dim>
 Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
-                     RCP<const Communicator> const& communicator)
+                     mesh::BranchEnd branch_end, RCP<const Communicator> const& communicator)
 {
   auto const settings = settingsOf(list);
   auto const regions = conditionsIn<Dim>(list, "Regions");
@@ -195,7 +195,7 @@ Mesh<Dim> coarsePart(ParameterList const& list, std::string const& fault,
                         joinPath(mesh_path, flat_cells_beside));
   }
   if (is_file || !faults.empty()) { // generators make none
-    mesh::splitFaults(whole, mesh_path);
+    mesh::splitFaults(whole, mesh_path, branch_end);
   }
   mesh::PartitionOptions options;
   options.boundary = whole.boundaries.count(fault) > 0 ? fault : "";
@@ -217,15 +217,17 @@ int meshDimension(ParameterList const& list, Communicator const& communicator)
 }
 
 template <int Dim>
-Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
+Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault, mesh::BranchEnd branch_end,
                    RCP<const Communicator> const& communicator)
 {
   ASPERITY_TIME_WORK("mesh");
-  return refinement::refineUniformly(coarsePart<Dim>(list, fault, communicator),
+  return refinement::refineUniformly(coarsePart<Dim>(list, fault, branch_end, communicator),
                                      settingsOf(list).num_refinements, *communicator,
                                      joinPath(mesh_path, "Refinements"));
 }
 
-template Mesh<2> makeMesh(ParameterList const&, std::string const&, RCP<const Communicator> const&);
-template Mesh<3> makeMesh(ParameterList const&, std::string const&, RCP<const Communicator> const&);
+template Mesh<2> makeMesh(ParameterList const&, std::string const&, mesh::BranchEnd,
+                          RCP<const Communicator> const&);
+template Mesh<3> makeMesh(ParameterList const&, std::string const&, mesh::BranchEnd,
+                          RCP<const Communicator> const&);
 } // namespace asperity::scenario

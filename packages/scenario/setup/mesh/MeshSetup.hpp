@@ -1,6 +1,7 @@
 #pragma once
 
 #include "mesh/Mesh.hpp"
+#include "mesh/faults/SplitFaults.hpp"
 #include "parameters/Parameters.hpp"
 
 namespace asperity::scenario
@@ -17,8 +18,9 @@ int meshDimension(ParameterList const& list, Communicator const& communicator);
 
 // Makes or reads the mesh and gives every rank its part, with as many vertices of the boundary
 // `fault` as any other rank has, unless the mesh file defines the parts. The mesh is split along
-// the faults inside the body. Dim must be meshDimension. Collective.
+// the faults inside the body; branches end as branch_end says, unless the file has them split. Dim
+// must be meshDimension. Collective.
 template <int Dim>
-Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault,
+Mesh<Dim> makeMesh(ParameterList const& list, std::string const& fault, mesh::BranchEnd branch_end,
                    RCP<const Communicator> const& communicator);
 } // namespace asperity::scenario
