@@ -161,12 +161,17 @@ void FaultEdges<Dim>::sortPairs()
   for (auto const& joint : joints_) {
     pairs_.push_back(joint.second);
   }
+  const auto minusOf = [&minus_of](Edge const& plus) {
+    const auto found = minus_of.find(plus);
+    return found == minus_of.end() ? Edge{-1, -1} : found->second.begin()->first;
+  };
   for (auto const& [plus, found] : minus_of) {
     auto [minus, is_tip] = *found.begin();
     if (found.size() > 1) {
-      minus = minus_of.at(minus).begin()->first;
-      ASPERITY_ASSERT(found.size() == 2 && !is_tip &&
-                      minus == minus_of.at(found.rbegin()->first).begin()->first);
+      minus = minusOf(minus);
+      if (found.size() > 2 || is_tip || minus[0] < 0 || minus != minusOf(found.rbegin()->first)) {
+        refuseCopies(plus, *open_to_.at(plus).begin());
+      }
     }
     pairs_.push_back({plus, minus, is_tip});
   }
