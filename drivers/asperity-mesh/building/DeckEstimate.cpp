@@ -13,7 +13,7 @@
 #include "friction/Registry.hpp"
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/DeckReader.hpp"
-#include "scenario/report/ResolutionCheck.hpp"
+#include "scenario/checks/ResolutionCheck.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"

@@ -2,7 +2,7 @@
 
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "scenario/report/Rounded.hpp"
+#include "scenario/checks/Rounded.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
 
 #include <sys/resource.h>

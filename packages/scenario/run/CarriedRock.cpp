@@ -7,7 +7,7 @@
 #include "catalogue/receivers/Interpolation.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "mesh/SimplexGeometry.hpp"
-#include "scenario/RunArchive.hpp"
+#include "scenario/run/WholeBodyArchive.hpp"
 
 #include <algorithm>
 #include <cstddef>

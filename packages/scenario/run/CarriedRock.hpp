@@ -14,10 +14,10 @@ namespace asperity::scenario
 // back_stress (3)", or "none" if no cell yields.
 std::string internalVariables(dynamics::Body const& body);
 
-// Sets the inelastic strain and the internal variables in the archive as StateFormat reads them:
-// each cell has those of the other run's cell in which its centroid lies, each variable by its
-// name. Both bodies have the same internalVariables(), and at least one. `from`: the other run's
-// volume.
+// Sets the inelastic strain and the internal variables in the archive as WholeBodyArchive reads
+// them: each cell has those of the other run's cell in which its centroid lies, each variable by
+// its name. Both bodies have the same internalVariables(), and at least one. `from`: the other
+// run's volume.
 //
 // InputError, on every rank, if rock has yielded in the other run where it is elastic now: its
 // stress would be another one. Collective.

@@ -5,7 +5,7 @@
 #include "base/program/Plugins.hpp"
 #include "base/program/WorkTimers.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
-#include "scenario/RunArchive.hpp"
+#include "scenario/run/WholeBodyArchive.hpp"
 
 namespace asperity::scenario
 {

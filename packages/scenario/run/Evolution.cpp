@@ -9,8 +9,8 @@
 #include "dynamics/control/NotFinite.hpp"
 #include "mesh/BoundingBox.hpp"
 #include "mesh/PointText.hpp"
-#include "scenario/report/SmallestStep.hpp"
-#include "scenario/report/StartCheck.hpp"
+#include "scenario/checks/SmallestStep.hpp"
+#include "scenario/checks/StartCheck.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
@@ -96,8 +96,8 @@ Evolution<Dim>::Evolution(Problem<Dim> const& problem, ParameterList const& deck
     return;
   }
   if (beginning.from == Beginning::From::other_run) {
-    state_ =
-      StateFormat(problem_.model, condensation_.get(), clock_).load(beginning.archive, "state");
+    state_ = WholeBodyArchive(problem_.model, condensation_.get(), clock_)
+               .load(beginning.archive, "state");
   }
   beginBalance();
 }
@@ -129,7 +129,7 @@ template <int Dim>
 void Evolution<Dim>::restore(Archive const& checkpoint)
 {
   const auto level = static_cast<int>(checkpoint.getInteger("finest_level"));
-  const StateFormat states(problem_.model, condensation_.get(), clock_, level);
+  const WholeBodyArchive states(problem_.model, condensation_.get(), clock_, level);
   state_ = states.load(checkpoint, "state");
   control_->restore(checkpoint.child("control"), states);
   if (level != clock_.finestLevel()) {
@@ -150,7 +150,7 @@ void Evolution<Dim>::restore(Archive const& checkpoint)
 template <int Dim>
 void Evolution<Dim>::save(Archive& checkpoint) const
 {
-  const StateFormat states(problem_.model, condensation_.get(), clock_);
+  const WholeBodyArchive states(problem_.model, condensation_.get(), clock_);
   states.save(checkpoint, "state", state_);
   Archive control;
   control_->save(control, states);

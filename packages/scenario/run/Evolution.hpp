@@ -4,12 +4,12 @@
 #include "dynamics/coupling/CoupledStep.hpp"
 #include "dynamics/watches/Watch.hpp"
 #include "io/Output.hpp"
-#include "scenario/Condensation.hpp"
-#include "scenario/RunArchive.hpp"
 #include "scenario/fields/FloorCount.hpp"
 #include "scenario/fields/RunView.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/report/RunSummary.hpp"
+#include "scenario/run/Condensation.hpp"
+#include "scenario/run/WholeBodyArchive.hpp"
 
 #include <memory>
 #include <optional>

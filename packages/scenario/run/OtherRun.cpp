@@ -8,12 +8,12 @@
 #include "mesh/SimplexGeometry.hpp"
 #include "scenario/DeckReader.hpp"
 #include "scenario/Fingerprint.hpp"
-#include "scenario/RunArchive.hpp"
 #include "scenario/deck/CommandLine.hpp"
 #include "scenario/fields/Domains.hpp"
 #include "scenario/run/CarriedRock.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
+#include "scenario/run/WholeBodyArchive.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
@@ -253,7 +253,7 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
   auto const other_clock = clockOf(other);
   auto const checkpoint =
     checkpointOf(is_folder ? run / "checkpoint.h5" : run, other, other_domains, *other_deck);
-  auto const state = StateFormat(other.model, nullptr, other_clock).load(checkpoint, "state");
+  auto const state = WholeBodyArchive(other.model, nullptr, other_clock).load(checkpoint, "state");
   const double time = other_clock.seconds(state.time);
   ASPERITY_REQUIRE(time < end, "Asperity / Time Stepping / Final Time = "
                                  << end << " s is not after the state of --restart-from "

@@ -10,12 +10,12 @@
 
 namespace asperity::scenario
 {
-// The state of another run for a new one, as StateFormat reads it from "state", and its warnings,
-// for RunRecord::inherit. `run` is the directory of a run of this program, or a checkpoint in it.
-// The other run's mesh and fields may differ: displacement since the start and the rates are
-// interpolated linearly in the other run's cells, the state variable and the change of the normal
-// stress along its fault; the inelastic strain and the internal variables of rock are those of the
-// cell at the centroid of each new one. The initial displacement and normal stress (gravity) are
+// The state of another run for a new one, as WholeBodyArchive reads it from "state", and its
+// warnings, for RunRecord::inherit. `run` is the directory of a run of this program, or a
+// checkpoint in it. The other run's mesh and fields may differ: displacement since the start and
+// the rates are interpolated linearly in the other run's cells, the state variable and the change
+// of the normal stress along its fault; the inelastic strain and the internal variables of rock are
+// those of the cell at the centroid of each new one. The initial displacement and normal stress (gravity) are
 // those of the new deck. The time is the other run's, in ticks of `clock`.
 //
 // InputError, on every rank, if the dimension, the components of the displacement, the laws, the

@@ -3,8 +3,8 @@
 #include "base/Archive.hpp"
 #include "io/FieldRegistry.hpp"
 #include "io/OutputSet.hpp"
+#include "scenario/checks/Description.hpp"
 #include "scenario/deck/CommandLine.hpp"
-#include "scenario/report/Description.hpp"
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
 

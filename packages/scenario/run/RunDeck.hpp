@@ -2,8 +2,8 @@
 
 #include "base/Types.hpp"
 #include "parameters/Parameters.hpp"
+#include "scenario/checks/Description.hpp"
 #include "scenario/deck/CommandLine.hpp"
-#include "scenario/report/Description.hpp"
 
 namespace asperity::scenario
 {

@@ -2,7 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "scenario/report/ResolutionCheck.hpp"
+#include "scenario/checks/ResolutionCheck.hpp"
 
 #include <limits>
 #include <utility>

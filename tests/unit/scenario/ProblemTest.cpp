@@ -5,7 +5,7 @@
 #include "dynamics/observables/EnergyBalance.hpp"
 #include "mesh/generation/BoxMesh.hpp"
 #include "mesh/parallel/Partition.hpp"
-#include "scenario/RunArchive.hpp"
+#include "scenario/run/WholeBodyArchive.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
@@ -196,25 +196,27 @@ TEST(StepControl, WantsPrescribedLevelsThatExist)
   expectRefusal([&] { control({-1}); }, {"Prescribed / Levels", "-1"});
 }
 
-TEST(RunArchive, TurnsTimesOfAnotherSmallestStepIntoItsOwn)
+TEST(WholeBodyArchive, TurnsTimesOfAnotherSmallestStepIntoItsOwn)
 {
   auto const problem = makeProblem<2>(column(), world());
   auto state = problem.model.initial.clone();
   state.time = 3;
   Archive archive;
-  StateFormat(problem.model, nullptr, dynamics::DyadicTime(1, 10)).save(archive, "state", state);
-  EXPECT_EQ(StateFormat(problem.model, nullptr, dynamics::DyadicTime(1, 12), 10)
+  WholeBodyArchive(problem.model, nullptr, dynamics::DyadicTime(1, 10))
+    .save(archive, "state", state);
+  EXPECT_EQ(WholeBodyArchive(problem.model, nullptr, dynamics::DyadicTime(1, 12), 10)
               .load(archive, "state")
               .time,
             12);
   expectRefusal(
     [&] {
-      StateFormat(problem.model, nullptr, dynamics::DyadicTime(1, 9), 10).load(archive, "state");
+      WholeBodyArchive(problem.model, nullptr, dynamics::DyadicTime(1, 9), 10)
+        .load(archive, "state");
     },
     {"between two steps of the smallest size", "--restart-from"});
 }
 
-TEST(RunArchive, ReturnsWhatWasSaved)
+TEST(WholeBodyArchive, ReturnsWhatWasSaved)
 {
   auto problem = makeProblem<2>(column(), world());
   auto state = problem.model.initial.clone();
@@ -229,9 +231,9 @@ TEST(RunArchive, ReturnsWhatWasSaved)
   }
   Kokkos::deep_copy(state.added[0].values, 4e6);
   Archive archive;
-  const StateFormat format(problem.model, nullptr, dynamics::DyadicTime(1, 10));
-  format.save(archive, "state", state);
-  auto const read = format.load(archive, "state");
+  const WholeBodyArchive states(problem.model, nullptr, dynamics::DyadicTime(1, 10));
+  states.save(archive, "state", state);
+  auto const read = states.load(archive, "state");
   EXPECT_EQ(read.time, state.time);
   dynamics::State::visitFields(
     [](dynamics::FieldInfo const& info, auto const& loaded, auto const& saved) {
@@ -254,7 +256,7 @@ TEST(RunArchive, ReturnsWhatWasSaved)
   EXPECT_EQ(loadMembers<dynamics::Energy>(archive, "energy").defect, 1e-20);
 }
 
-TEST(RunArchive, RefusesTheStateOfAnotherMesh)
+TEST(WholeBodyArchive, RefusesTheStateOfAnotherMesh)
 {
   auto const problem = makeProblem<2>(column(), world());
   auto const finer = makeProblem<2>(
@@ -262,8 +264,8 @@ TEST(RunArchive, RefusesTheStateOfAnotherMesh)
     world());
   Archive archive;
   const dynamics::DyadicTime clock(1, 10);
-  StateFormat(finer.model, nullptr, clock).save(archive, "state", finer.model.initial);
-  expectRefusal([&] { StateFormat(problem.model, nullptr, clock).load(archive, "state"); },
+  WholeBodyArchive(finer.model, nullptr, clock).save(archive, "state", finer.model.initial);
+  expectRefusal([&] { WholeBodyArchive(problem.model, nullptr, clock).load(archive, "state"); },
                 {"state/u", "18", "24", "another mesh"});
 }
 } // namespace asperity::scenario

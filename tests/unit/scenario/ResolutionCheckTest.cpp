@@ -1,4 +1,4 @@
-#include "scenario/report/ResolutionCheck.hpp"
+#include "scenario/checks/ResolutionCheck.hpp"
 
 #include "SampleDeck.hpp"
 #include "scenario/report/RunReport.hpp"

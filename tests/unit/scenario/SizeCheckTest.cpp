@@ -1,5 +1,5 @@
 // Warnings about bodies whose size does not fit their waves, steps and friction.
-#include "scenario/report/SizeCheck.hpp"
+#include "scenario/checks/SizeCheck.hpp"
 
 #include "SampleDeck.hpp"
 #include "scenario/report/RunReport.hpp"

@@ -1,4 +1,4 @@
-#include "scenario/report/StartCheck.hpp"
+#include "scenario/checks/StartCheck.hpp"
 
 #include "SampleDeck.hpp"
 

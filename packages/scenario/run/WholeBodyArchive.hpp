@@ -18,14 +18,14 @@ constexpr char const* yielding_cells = "yielding_cells";
 // Writes states to a checkpoint and reads them. They are stored as states of the whole body even
 // where the run is condensed to its fault: only runs on one rank condense, and a restart may have
 // more ranks. A condensed run gets its state back bit for bit.
-class StateFormat : public dynamics::StateArchive
+class WholeBodyArchive : public dynamics::StateArchive
 {
 public:
   // whole: the model of the whole body. condensation may be null. Both must outlive this.
   // stored_level: DyadicTime::finestLevel() of the run that has written the archive to read, if
   // that is not `clock`.
-  StateFormat(dynamics::Model const& whole, dynamics::StaticCondensation const* condensation,
-              dynamics::DyadicTime const& clock, std::optional<int> stored_level = {})
+  WholeBodyArchive(dynamics::Model const& whole, dynamics::StaticCondensation const* condensation,
+                   dynamics::DyadicTime const& clock, std::optional<int> stored_level = {})
       : whole_(whole)
       , condensation_(condensation)
       , clock_(clock)

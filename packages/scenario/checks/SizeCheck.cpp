@@ -1,11 +1,11 @@
-#include "scenario/report/SizeCheck.hpp"
+#include "scenario/checks/SizeCheck.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/BoundingBox.hpp"
 #include "mesh/Mesh.hpp"
 #include "mesh/MeshQuality.hpp"
-#include "scenario/report/BoundaryField.hpp"
+#include "scenario/checks/BoundaryField.hpp"
 
 #include <algorithm>
 #include <cmath>

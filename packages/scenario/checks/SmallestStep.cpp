@@ -1,4 +1,4 @@
-#include "scenario/report/SmallestStep.hpp"
+#include "scenario/checks/SmallestStep.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"

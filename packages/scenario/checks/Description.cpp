@@ -1,4 +1,4 @@
-#include "scenario/report/Description.hpp"
+#include "scenario/checks/Description.hpp"
 
 #include <ostream>
 

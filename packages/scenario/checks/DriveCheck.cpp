@@ -1,8 +1,8 @@
-#include "scenario/report/DriveCheck.hpp"
+#include "scenario/checks/DriveCheck.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "scenario/report/BoundaryField.hpp"
+#include "scenario/checks/BoundaryField.hpp"
 
 #include <algorithm>
 #include <cmath>

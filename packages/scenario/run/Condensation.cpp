@@ -1,4 +1,4 @@
-#include "scenario/Condensation.hpp"
+#include "scenario/run/Condensation.hpp"
 
 #include <algorithm>
 

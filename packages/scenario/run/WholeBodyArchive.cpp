@@ -1,4 +1,4 @@
-#include "scenario/RunArchive.hpp"
+#include "scenario/run/WholeBodyArchive.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Views.hpp"
@@ -74,8 +74,8 @@ dynamics::State loadState(Archive const& archive, std::string const& path,
 }
 } // namespace
 
-void StateFormat::save(Archive& archive, std::string const& path,
-                       dynamics::State const& state) const
+void WholeBodyArchive::save(Archive& archive, std::string const& path,
+                            dynamics::State const& state) const
 {
   if (condensation_ == nullptr) {
     saveState(archive, path, state, whole_.body);
@@ -85,7 +85,7 @@ void StateFormat::save(Archive& archive, std::string const& path,
   archive.set(path + "/amplitudes", condensation_->amplitudes(state));
 }
 
-dynamics::State StateFormat::load(Archive const& archive, std::string const& path) const
+dynamics::State WholeBodyArchive::load(Archive const& archive, std::string const& path) const
 {
   auto state = loadState(archive, path, whole_);
   const auto time = clock_.fromLevel(state.time, stored_level_.value_or(clock_.finestLevel()));

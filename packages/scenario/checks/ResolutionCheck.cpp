@@ -1,9 +1,9 @@
-#include "scenario/report/ResolutionCheck.hpp"
+#include "scenario/checks/ResolutionCheck.hpp"
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
 #include "friction/Registry.hpp"
-#include "scenario/report/Rounded.hpp"
+#include "scenario/checks/Rounded.hpp"
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 

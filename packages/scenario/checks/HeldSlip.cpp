@@ -1,4 +1,4 @@
-#include "scenario/report/HeldSlip.hpp"
+#include "scenario/checks/HeldSlip.hpp"
 
 #include "base/Text.hpp"
 #include "base/parallel/Gather.hpp"

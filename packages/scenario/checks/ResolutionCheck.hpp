@@ -1,8 +1,8 @@
 #pragma once
 
 #include "dynamics/checks/FaultResolution.hpp"
+#include "scenario/checks/Description.hpp"
 #include "scenario/problem/Problem.hpp"
-#include "scenario/report/Description.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
 #include <string>

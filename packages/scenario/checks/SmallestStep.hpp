@@ -1,7 +1,7 @@
 #pragma once
 
+#include "scenario/checks/Description.hpp"
 #include "scenario/problem/Problem.hpp"
-#include "scenario/report/Description.hpp"
 
 namespace asperity::scenario
 {
