@@ -100,6 +100,11 @@ std::string formatDuration(double seconds)
   return years(seconds / year);
 }
 
+std::string counted(std::int64_t number, std::string const& noun)
+{
+  return std::to_string(number) + ' ' + noun + (number == 1 ? "" : "s");
+}
+
 std::string trimmed(std::string const& text)
 {
   const auto blanks = " \t\r\n";

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ std::string formatPoint(std::vector<double> const& point,
 // "850 ns", "12.5 ms", "48.3 s", "3 min 20 s", "2 h 5 min", "3 d 4 h", "12.5 years", "1.2 million
 // years"; a year has 365.25 days.
 std::string formatDuration(double seconds);
+
+// "1 step", "3 steps", "0 steps": for words that only add an s.
+std::string counted(std::int64_t number, std::string const& noun);
 
 // The text without blanks at its ends.
 std::string trimmed(std::string const& text);

@@ -30,32 +30,17 @@ bool hasLargeNumber(std::string const& text)
   });
 }
 
-void collect(ParameterList const& list, std::string const& path, std::string const& message,
-             std::vector<std::string>& found)
-{
-  for (auto const& name : namesIn(list)) {
-    auto const& entry = list.getEntry(name);
-    auto const where = joinPath(path, name);
-    if (entry.isList()) {
-      collect(list.sublist(name), where, message, found);
-    } else if (hasLargeNumber(plainText(entry)) && message.find(where) == std::string::npos) {
-      found.push_back(where + " = " + excerpt(plainText(entry)));
-    }
-  }
-}
-} // namespace
-
-namespace
-{
-void collectTexts(ParameterList const& list, std::string const& path,
-                  std::map<std::string, std::string>& texts)
+// Calls visit(path, text) for each entry of the list and its sublists, in their order. The path is
+// that of messages, the text what the user wrote.
+template <class Visit>
+void visitTexts(ParameterList const& list, std::string const& path, Visit const& visit)
 {
   for (auto const& name : namesIn(list)) {
     auto const where = joinPath(path, name);
     if (list.isSublist(name)) {
-      collectTexts(list.sublist(name), where, texts);
+      visitTexts(list.sublist(name), where, visit);
     } else {
-      texts[where] = plainText(list.getEntry(name));
+      visit(where, plainText(list.getEntry(name)));
     }
   }
 }
@@ -63,7 +48,8 @@ void collectTexts(ParameterList const& list, std::string const& path,
 std::map<std::string, std::string> textsOf(ParameterList const& list)
 {
   std::map<std::string, std::string> texts;
-  collectTexts(list, "", texts);
+  visitTexts(list, "",
+             [&](std::string const& path, std::string const& text) { texts[path] = text; });
   return texts;
 }
 
@@ -144,7 +130,12 @@ std::string remarkOnLargeValues(CommandLine const& command_line, std::string con
 {
   std::vector<std::string> found;
   try {
-    collect(*deckAsGiven(command_line, *deckParameters()).list, "", message, found);
+    visitTexts(*deckAsGiven(command_line, *deckParameters()).list, "",
+               [&](std::string const& path, std::string const& text) {
+                 if (hasLargeNumber(text) && message.find(path) == std::string::npos) {
+                   found.push_back(path + " = " + excerpt(text));
+                 }
+               });
   } catch (InputError const&) { // the deck cannot be read: `message` says so
     return "";
   }

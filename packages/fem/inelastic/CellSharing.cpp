@@ -105,6 +105,15 @@ CellSharing::CellSharing(Mesh<Dim> const& mesh, std::vector<int> const& cells,
   ghosts_ = GhostExchange(communicator, numOwned(), sent, received);
 }
 
+std::vector<int> CellSharing::rowsOfMesh(std::size_t num_cells) const
+{
+  std::vector<int> rows(num_cells, -1);
+  for (std::size_t row = 0; row < cells_.size(); ++row) {
+    rows[cells_[row]] = static_cast<int>(row);
+  }
+  return rows;
+}
+
 void CellSharing::exchange(BlockView const& values) const
 {
   ghosts_.share<double>(NodeView(values.data(), values.size()), values.extent_int(1));

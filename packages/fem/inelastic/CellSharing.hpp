@@ -4,6 +4,7 @@
 #include "base/parallel/GhostExchange.hpp"
 #include "mesh/Mesh.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,8 @@ public:
 
   // The local cell of each row.
   std::vector<int> const& cells() const { return cells_; }
+  // (num_cells of the mesh) the row of each local cell, -1 for those that have none.
+  std::vector<int> rowsOfMesh(std::size_t num_cells) const;
   int numOwned() const { return static_cast<int>(numbers_.size()); }
   // (num_owned): counted over all ranks from 0, in an order that does not depend on them.
   std::vector<std::int64_t> const& numbers() const { return numbers_; }

@@ -1,12 +1,14 @@
 #include "scenario/checks/HeldSlip.hpp"
 
 #include "base/Text.hpp"
-#include "base/parallel/Gather.hpp"
+#include "base/parallel/FirstRank.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace asperity::scenario
 {
@@ -75,8 +77,8 @@ std::vector<double> prescribedRates(Problem<Dim> const& problem, double end)
 struct HeldEnd
 {
   long long num_nodes = 0;
-  double rate = 0;           // the largest [m/s]
-  std::vector<double> place; // of one of them [m]
+  double rate = 0;                            // the largest [m/s]
+  std::optional<std::array<double, 3>> place; // of one of them [m]
 };
 
 // Takes the nodes that it finds out of `held`, so that each is reported for one boundary.
@@ -86,20 +88,16 @@ HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool>& held,
 {
   auto const& surface = problem.surface();
   HeldEnd end;
-  std::vector<double> mine;
   for (int node = 0; node < surface.numNodes(); ++node) {
     if (held[node] && isAmong(vertices, surface[node])) {
       ++end.num_nodes;
       held[node] = false;
       end.rate = std::max(end.rate, rates[node]);
-      if (mine.empty()) {
-        mine.assign(surface[node].place.begin(), surface[node].place.begin() + Dim);
-      }
+      end.place = end.place.value_or(surface[node].place);
     }
   }
   auto const& communicator = *problem.communicator;
-  end.place = gatherToAll(mine, communicator);
-  end.place.resize(std::min<std::size_t>(end.place.size(), Dim));
+  end.place = ofFirstRank(end.place, communicator);
   end.num_nodes = sumOverRanks(end.num_nodes, communicator);
   end.rate = maxOverRanks(end.rate, communicator);
   return end;
@@ -140,7 +138,7 @@ void describeHeldSlip(Problem<Dim> const& problem, Description& description)
       "The fault ends on the boundary '" + condition.boundary + "' (" + condition.type->name +
       "), which prescribes the slip of " +
       (end.num_nodes == 1 ? "its node" : std::to_string(end.num_nodes) + " of its nodes, one") +
-      " at " + formatPoint(end.place) + " m: ";
+      " at " + formatPoint({end.place->begin(), end.place->begin() + Dim}) + " m: ";
     if (end.rate > 0) {
       description.lines.push_back(text + "up to " + formatShort(end.rate) + " m/s.");
     } else {

@@ -6,6 +6,7 @@
 #include "mesh/Mesh.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "scenario/checks/BoundaryField.hpp"
+#include "scenario/checks/ShearWaves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,15 +19,15 @@ namespace
 {
 constexpr double diameter_of_earth = 12.742e6; // m
 
-// The height of the smallest unstable body, as a share of the shortest wavelength that grows in
-// steady slip: a layer on a rigid foundation is unstable if it is higher than a 2 pi-th of it. The
-// factor three is for bodies that are softer than a layer.
+// The height of the smallest unstable body, divided by the shortest wavelength that grows in steady
+// slip: a layer on a rigid foundation is unstable if it is higher than that wavelength over 2 pi.
+// The factor three allows for bodies that are softer than a layer.
 const double smallest_body = 1 / (2 * std::acos(-1.) * 3);
 
 constexpr char const* in_km =
   " Are the coordinates of the mesh in km? 'asperity-mesh convert --scale 1000' gives m.";
 constexpr char const* in_m =
-  " Are the coordinates of the mesh in m, and not multiplied with 1000 before?";
+  " Are the coordinates of the mesh in m, or has something multiplied them by 1000?";
 } // namespace
 
 template <int Dim>
@@ -34,15 +35,7 @@ BodySize bodySize(Problem<Dim> const& problem)
 {
   auto const& mesh = problem.mesh();
   auto const sides = mesh::sidesOfBox<Dim>(mesh.vertices, *problem.communicator);
-  auto const diameters = mesh::cellDiameters(mesh);
-  std::vector<double> times(2, std::numeric_limits<double>::infinity()); // -slowness, of cells
-  for (std::size_t c = 0; c < diameters.size(); ++c) {
-    auto const& rock = problem.discretisation.rock.materials[c];
-    const double slowness = std::sqrt(rock.density / rock.shear_modulus);
-    times[0] = std::min(times[0], -slowness);
-    times[1] = std::min(times[1], diameters[c] * slowness);
-  }
-  times = minOverRanks(times, *problem.communicator);
+  auto const waves = shearWavesOf(problem);
   BodySize size;
   double square = 0;
   for (int d = 0; d < Dim; ++d) {
@@ -51,8 +44,8 @@ BodySize bodySize(Problem<Dim> const& problem)
     square += extent * extent;
   }
   size.extent = std::sqrt(square);
-  size.crossing_time = -times[0] * size.extent;
-  size.cell_time = times[1];
+  size.crossing_time = waves.slowness * size.extent;
+  size.cell_time = waves.through_cell;
   size.has_waves = !problem.settings.bulk.isQuasiDynamic();
   auto const& time = problem.settings.time;
   size.smallest_step = time.smallest_step.value_or(0);
@@ -97,6 +90,7 @@ std::vector<Warning> warnOfSize(BodySize const& size,
   }
   return warnings;
 }
+
 namespace
 {
 // The largest slip is computed with both numbers of times, and the smaller result counts: a short

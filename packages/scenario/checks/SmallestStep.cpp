@@ -1,16 +1,15 @@
 #include "scenario/checks/SmallestStep.hpp"
 
+#include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/parallel/Reductions.hpp"
 #include "dynamics/control/PrescribedSteps.hpp"
-#include "mesh/MeshQuality.hpp"
+#include "scenario/checks/ShearWaves.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace asperity::scenario
 {
@@ -25,19 +24,6 @@ double defaultStep(dynamics::FaultResolution const& resolution, BulkSettings con
   return std::min(seismic, time.largest_step / 2);
 }
 
-// The time that a shear wave takes through the smallest cell [s].
-template <int Dim>
-double crossingTime(Problem<Dim> const& problem)
-{
-  auto const diameters = mesh::cellDiameters(problem.mesh());
-  double shortest = std::numeric_limits<double>::infinity();
-  for (std::size_t cell = 0; cell < diameters.size(); ++cell) {
-    auto const& material = problem.discretisation.rock.materials[cell];
-    shortest = std::min(shortest, diameters[cell] * material.density / material.shearImpedance());
-  }
-  return minOverRanks(shortest, *problem.communicator);
-}
-
 // The default where no state of the fault decides on steps (Fault::stateDecides), so that there are
 // no earthquakes to resolve: a millionth of the run, to which the times are met at which slip or a
 // load begins.
@@ -50,7 +36,8 @@ double defaultWithoutState(Problem<Dim> const& problem)
   const double of_run = share_of_run * std::min(time.final_time, largest);
   return problem.settings.bulk.isQuasiDynamic()
            ? of_run
-           : std::min({of_run, share_of_crossing * crossingTime(problem), largest / 2});
+           : std::min(
+               {of_run, share_of_crossing * shearWavesOf(problem).through_cell, largest / 2});
 }
 
 template <int Dim>

@@ -40,11 +40,8 @@ yieldedStrain(Problem<Dim> const& problem, RunView const& view)
   if (!cells) {
     return {};
   }
-  std::vector<int> rows(problem.mesh().cells.size(), -1);
-  for (int row = 0; row < cells->numCells(); ++row) {
-    rows[cells->sharing().cells()[row]] = row;
-  }
-  return [rows, columns = cells->history(), &view](std::vector<int> const& of_cells) {
+  return [rows = cells->sharing().rowsOfMesh(problem.mesh().cells.size()),
+          columns = cells->history(), &view](std::vector<int> const& of_cells) {
     auto const strain = toHost(view.state->inelastic->strain);
     auto const shear = toHost(view.state->inelastic->shear);
     auto const history = toHost(view.state->inelastic->history);

@@ -60,7 +60,7 @@ std::string FloorCount::report() const
     return "The normal stress stayed above its floor of " + floor + " Pa.\n";
   }
   return "The normal stress was on its floor of " + floor + " Pa at " +
-         std::to_string(node_steps_) + " nodes in the sum over all steps, on at most " +
+         counted(node_steps_, "node") + " in the sum over all steps, on at most " +
          formatShort(100 * largest_share_) + " % of the fault at a time.\n";
 }
 

@@ -36,8 +36,8 @@ void requireGlobalIds(Mesh<Dim> const& mesh, int components)
 
 // The boundaries that no condition holds or damps: those without one, and those under a traction.
 template <int Dim>
-FreeSurface openBoundaries(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
-                           Communicator const& communicator)
+OuterSurface openBoundaries(std::vector<BoundaryCondition> const& conditions, Mesh<Dim> const& mesh,
+                            Communicator const& communicator)
 {
   std::set<std::string> not_open(mesh.faults.begin(), mesh.faults.end());
   for (auto const& condition : conditions) {

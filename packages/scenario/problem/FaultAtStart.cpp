@@ -2,6 +2,7 @@
 
 #include "base/Text.hpp"
 #include "base/parallel/Agreement.hpp"
+#include "base/parallel/FirstRank.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/processes/RegularisedStress.hpp"
 #include "fem/FaultMesh.hpp"
@@ -67,15 +68,13 @@ std::vector<Warning> tensionAtStart(std::vector<double> const& static_stress,
   if (!(measure[0] > 0)) {
     return {};
   }
-  const int rank = communicator.getRank(), none = communicator.getSize();
-  const int of_place = minOverRanks(first < 0 ? none : rank, communicator);
   auto const place =
-    sumOverRanks(of_place == rank ? surface[first].place : std::array<double, 3>{}, communicator);
+    ofFirstRank<3>(first < 0 ? std::nullopt : std::optional(surface[first].place), communicator);
   return {{"tension at the start",
            "The static solution pulls at " +
              formatShort(std::round(1000 * measure[0] / measure[1]) / 10) +
              " % of the fault, most with " + formatShort(-lowest) + " Pa of tension at " +
-             formatPoint({place[0], place[1], place[2]}) +
+             formatPoint({place->begin(), place->end()}) +
              " m: the normal stress of friction is set to zero there, and the model holds the "
              "fault shut. "
              "Check Gravity Direction, Up and the boundary conditions, or give a Normal Stress."}};

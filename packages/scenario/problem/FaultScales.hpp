@@ -29,17 +29,20 @@ struct FaultScales
   // part that weakens is so short that it creeps. For dynamics::SlowSlip.
   std::vector<double> weakening;
   double barrier = 0; // the share of the fault that cannot slip under the loads, by its measure
-  // If the zone behind a front is far narrower than the cohesive zone, or there is none of that.
-  std::optional<dynamics::FrontZone> zone; // to watch; empty if seismic fronts alone are expected
+  // Given where the zone behind the front is far narrower than the cohesive zone, or where there is
+  // no cohesive zone.
   std::optional<ExpectedFront> front;
+  // That zone, which is watched during the run; empty without `front`, and where laws weaken
+  // friction at high slip rates, whose fronts are seismic.
+  std::optional<dynamics::FrontZone> zone;
 
   double slipDistance() const; // L, smallest [m]; 0 if unknown
   double slowRate() const;     // a tenth of a seismic slip rate [m/s]
   double waveRate() const;     // dynamics::WaveScale::slip_rate [m/s]
 };
 
-// laws: of the fault. driving(num fault nodes): the largest shear traction of the loads [Pa].
-// Collective.
+// The scales of a fault with these laws, in its state at the start. driving(num fault nodes): the
+// largest shear traction of the loads [Pa]. Collective.
 template <int Dim>
 FaultScales faultScales(SetupContext<Dim> const& context, LawsAtNodes const& laws,
                         dynamics::Fault const& fault, dynamics::State const& initial,

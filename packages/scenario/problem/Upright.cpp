@@ -79,7 +79,7 @@ std::string entryText(Direction const& v, int dimension)
 }
 
 // The outward normal, if it has this part of the surface's measure.
-std::optional<Direction> facing(FreeSurface const& surface, double part)
+std::optional<Direction> facing(OuterSurface const& surface, double part)
 {
   auto const& [normal, measure] = surface.normal;
   return length(normal) > part * measure ? unit(normal) : std::nullopt;
@@ -93,7 +93,7 @@ std::string degreesBetween(Direction const& a, Direction const& b)
 } // namespace
 
 Upright uprightOf(BulkSettings const& bulk, std::optional<std::vector<double>> const& given_up,
-                  int dimension, FreeSurface const& surface, FreeSurface const& open)
+                  int dimension, OuterSurface const& surface, OuterSurface const& open)
 {
   auto const names = quotedNames(surface.boundaries);
   const bool has_gravity = bulk.hasGravity();

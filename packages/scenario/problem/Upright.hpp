@@ -16,12 +16,13 @@ struct Upright
 {
   std::array<double, 3> up{0, 1, 0};    // unit vector along the axes
   std::array<double, 3> down{0, -1, 0}; // unit vector: gravity, which may be inclined to `up`
-  std::string reason;                   // for the log, e.g. "to which the free surface 'top' faces"
+  std::string reason;                   // for the log: "where the free surface 'top' faces"
   bool is_known = false;                // by the deck or by a surface, or +y by default
 };
 
-// A surface of the body: its boundaries, and the integral of their outward normal.
-struct FreeSurface
+// A part of the outer surface of the body: its boundaries, and the integral of their outward
+// normal.
+struct OuterSurface
 {
   std::vector<std::string> boundaries;
   fem::NormalIntegral normal;
@@ -37,7 +38,7 @@ struct FreeSurface
 // Vectors 2 to 4 are replaced by the axis nearest to them, unless it is more than 40 degrees away.
 // Throws InputError where two of the first three contradict each other.
 Upright uprightOf(BulkSettings const& bulk, std::optional<std::vector<double>> const& given_up,
-                  int dimension, FreeSurface const& surface, FreeSurface const& open = {});
+                  int dimension, OuterSurface const& surface, OuterSurface const& open = {});
 
 // A warning where gravity acts in three dimensions and nothing says which way is up.
 std::optional<Warning> warnOfUp(BulkSettings const& bulk, int dimension, Upright const& upright);

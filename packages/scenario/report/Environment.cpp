@@ -1,5 +1,6 @@
 #include "scenario/report/Environment.hpp"
 
+#include "base/Text.hpp"
 #include "portability/Backend.hpp"
 
 #include <Trilinos_version.h>
@@ -58,9 +59,8 @@ std::string describeMachine()
 
 std::vector<std::string> describeEnvironment(Communicator const& communicator)
 {
-  const int ranks = communicator.getSize();
   return {std::string("Asperity ") + ASPERITY_VERSION + " on " + describeBackend() + ", " +
-            std::to_string(ranks) + (ranks == 1 ? " rank." : " ranks."),
+            counted(communicator.getSize(), "rank") + '.',
           "Kokkos " + kokkosVersion() + ", Trilinos " + TRILINOS_VERSION_STRING + ", " +
             mpiVersion() + ".",
           std::string("Built from ") + ASPERITY_BUILT_FROM + ".", describeMachine()};

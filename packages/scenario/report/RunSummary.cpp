@@ -58,15 +58,16 @@ std::string summarise(RunSummary const& summary, std::string const& output_repor
   text << '\n' << output_report;
   auto const& count = summary.count;
   text << (summary.finished ? "Finished" : "Stopped") << " at t = " << formatNumber(summary.time)
-       << " s after " << summary.num_steps << " steps.\n"
-       << "Effort: " << count.coupled_steps << " coupled steps (" << count.failures << " failed), "
-       << count.rate_problems << " rate problems, " << count.tnnmg_iterations
-       << " TNNMG iterations, " << count.corrections << " corrections, " << count.v_cycles
-       << " V-cycles; " << summary.setups << " solvers set up in "
+       << " s after " << counted(summary.num_steps, "step") << ".\n"
+       << "Effort: " << counted(count.coupled_steps, "coupled step") << " (" << count.failures
+       << " failed), " << counted(count.rate_problems, "rate problem") << ", "
+       << counted(count.tnnmg_iterations, "TNNMG iteration") << ", "
+       << counted(count.corrections, "correction") << ", " << counted(count.v_cycles, "V-cycle")
+       << "; " << counted(summary.setups, "solver") << " set up in "
        << formatDuration(summary.setup_seconds) << ".\n";
   if (summary.forced_steps > 0) {
-    text << summary.forced_steps
-         << " steps of the smallest size were accepted above the tolerance.\n";
+    text << counted(summary.forced_steps, "step") << " of the smallest size "
+         << (summary.forced_steps == 1 ? "was" : "were") << " accepted above the tolerance.\n";
   }
   text << summary.floor_report << summary.watch_report;
   writeBalance(text, summary.energy, summary.dimension == 2 ? "J/m" : "J");

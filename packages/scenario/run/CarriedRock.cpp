@@ -30,16 +30,6 @@ std::map<std::string, fem::HistoryColumns> columnsOf(fem::InelasticCells const& 
   return columns;
 }
 
-// The rows of the cells of a mesh, -1 for those that do not yield.
-std::vector<int> rowsOf(fem::InelasticCells const& cells, std::size_t num_cells)
-{
-  std::vector<int> rows(num_cells, -1);
-  for (int row = 0; row < cells.numCells(); ++row) {
-    rows[static_cast<std::size_t>(cells.sharing().cells()[row])] = row;
-  }
-  return rows;
-}
-
 // The columns of a row in which a cell's values travel: strain, shear, variables in the order of
 // their names.
 struct Width
@@ -53,7 +43,7 @@ Values valuesOfElements(Problem<Dim> const& problem, fem::InelasticStrain const&
                         io::OutputDomain const& volume, Width const& width)
 {
   auto const& cells = *problem.model.body.cells;
-  auto const rows = rowsOf(cells, problem.mesh().cells.size());
+  auto const rows = cells.sharing().rowsOfMesh(problem.mesh().cells.size());
   auto const columns = columnsOf(cells);
   auto const strain = toHost(inelastic.strain), shear = toHost(inelastic.shear),
              history = toHost(inelastic.history);
@@ -94,7 +84,7 @@ template <int Dim>
 void refuseLostStrain(Problem<Dim> const& problem, Values const& values, Width const& width,
                       std::filesystem::path const& run)
 {
-  auto const rows = rowsOf(*problem.model.body.cells, problem.mesh().cells.size());
+  auto const rows = problem.model.body.cells->sharing().rowsOfMesh(problem.mesh().cells.size());
   onEveryRank(*problem.communicator, [&] {
     for (std::size_t cell = 0; cell < rows.size(); ++cell) {
       const auto first = values.begin() + static_cast<std::ptrdiff_t>(cell) * width.all;

@@ -174,11 +174,12 @@ void carryBody(Problem<Dim> const& other, State const& state, io::OutputDomain c
   std::vector<Values> there;
   State::visitBody(
     [&](FieldInfo const& info, RCP<Vector> const& field, RCP<Vector> const& start) {
+      Vector carried(*field, Teuchos::Copy);
       if (info.counts_from_start) {
-        field->update(-1, *start, 1);
+        carried.update(-1, *start, 1);
       }
       there.push_back(fem::alongAxes(other.discretisation.frames(), *other.discretisation.dofs,
-                                     *field, from.vertices));
+                                     carried, from.vertices));
     },
     state, other.model.initial);
   const catalogue::Interpolation in_body(

@@ -15,8 +15,8 @@ namespace asperity::scenario
 // checkpoint in it. The other run's mesh and fields may differ: displacement since the start and
 // the rates are interpolated linearly in the other run's cells, the state variable and the change
 // of the normal stress along its fault; the inelastic strain and the internal variables of rock are
-// those of the cell at the centroid of each new one. The initial displacement and normal stress (gravity) are
-// those of the new deck. The time is the other run's, in ticks of `clock`.
+// those of the cell at the centroid of each new one. The initial displacement and normal stress
+// (gravity) are those of the new deck. The time is the other run's, in ticks of `clock`.
 //
 // InputError, on every rank, if the dimension, the components of the displacement, the laws, the
 // relaxation times, the internal variables of the rock or the kind of fault differ, if rock has

@@ -1,10 +1,9 @@
 #include "scenario/watches/PressureWatch.hpp"
 
 #include "base/Text.hpp"
-#include "base/parallel/Reductions.hpp"
+#include "base/parallel/FirstRank.hpp"
 
-#include <array>
-#include <limits>
+#include <optional>
 
 namespace asperity::scenario
 {
@@ -24,20 +23,16 @@ void PressureWatch::note(dynamics::WatchedState const& now, dynamics::Notes& not
     },
     Kokkos::Min<int>(node));
   const bool is_here = node < surface.numNodes();
-  auto const& communicator = *surface.communicator();
-  const int rank = communicator.getRank(), none = communicator.getSize();
-  const int lowest = minOverRanks(is_here ? rank : none, communicator);
-  if (lowest == none) {
+  auto const place = ofFirstRank<3>(is_here ? std::optional(surface[node].place) : std::nullopt,
+                                    *surface.communicator());
+  if (!place) {
     return;
   }
   has_warned_ = true;
-  std::array<double, 3> place;
-  place.fill(std::numeric_limits<double>::lowest());
-  place = maxOverRanks(lowest == rank ? surface[node].place : place, communicator);
   notes.add(Warning{"effective normal stress",
                     "At t = " + formatShort(now.time) +
                       " s a pressure on the fault has reached the normal stress, first at " +
-                      formatPoint({place[0], place[1], place[2]}) +
+                      formatPoint({place->begin(), place->end()}) +
                       ": friction is zero there, and the model does not let faults open. Check the "
                       "initial pressure, the normal stress and the parameters of the fluid."});
 }

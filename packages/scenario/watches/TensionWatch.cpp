@@ -1,6 +1,7 @@
 #include "scenario/watches/TensionWatch.hpp"
 
 #include "base/Text.hpp"
+#include "base/parallel/FirstRank.hpp"
 #include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
 #include "portability/Renamed.hpp"
@@ -116,13 +117,11 @@ TensionWatch::Tension TensionWatch::tensionAt(Vector const& force, double time)
   }
   const int first = firstWith(R_, all[2]);
   const bool is_here = first < surface.numNodes();
-  const int rank = communicator.getRank(), none = communicator.getSize();
-  const int lowest = minOverRanks(is_here ? rank : none, communicator);
-  const std::array<double, 3> nowhere{};
   found.share = sumOverRanks(measureAbove(surface, R_, least), communicator) / sliding_;
   found.largest = all[2];
   found.time = time;
-  found.place = sumOverRanks(lowest == rank ? surface[first].place : nowhere, communicator);
+  found.place = *ofFirstRank<3>(is_here ? std::optional(surface[first].place) : std::nullopt,
+                                communicator); // a rank has the largest tension
   return found;
 }
 

@@ -80,6 +80,13 @@ TEST(Text, Durations)
   EXPECT_EQ(formatDuration(std::numeric_limits<double>::infinity()), "inf s");
 }
 
+TEST(Text, Counts)
+{
+  EXPECT_EQ(counted(1, "step"), "1 step");
+  EXPECT_EQ(counted(0, "step"), "0 steps");
+  EXPECT_EQ(counted(12345678901, "node"), "12345678901 nodes");
+}
+
 TEST(Text, Pieces)
 {
   EXPECT_EQ(trimmed("  a b\n"), "a b");

@@ -127,6 +127,11 @@ void expectSharedOnce(int components)
       return sample.yields(static_cast<int>(&cell - &sample.mesh.cells[0]));
     }));
   EXPECT_EQ(static_cast<int>(sharing.cells().size()), mine);
+  auto const rows = sharing.rowsOfMesh(sample.mesh.cells.size());
+  for (std::size_t cell = 0; cell < rows.size(); ++cell) {
+    ASSERT_EQ(rows[cell] >= 0, sample.yields(static_cast<int>(cell)));
+    EXPECT_TRUE(rows[cell] < 0 || sharing.cells()[rows[cell]] == static_cast<int>(cell));
+  }
 
   // Copies of a cell agree bit for bit, before any exchange.
   auto const before = sample.cells.none(), after = sample.cells.none();

@@ -69,7 +69,6 @@ TEST(BoundarySetup, TurnsConditionsIntoPrescribedVelocities)
                               2);
   EXPECT_EQ(result.faults, fem::Boundaries{"bottom"});
   EXPECT_EQ(result.surface, "top");
-  EXPECT_EQ(result.ramp_end, 0);
   ASSERT_EQ(result.velocities.size(), 4U);
   // The contact of the fault is the first, so that frames follow it.
   EXPECT_EQ(result.velocities[0].boundary, "bottom");
@@ -102,7 +101,6 @@ TEST(BoundarySetup, PrescribesAVelocityWithARamp)
                                 condition.set("Direction", array<double>({0, 2}));
                               }),
                               2);
-  EXPECT_EQ(result.ramp_end, 4);
   auto const& push = as<fem::PrescribedVelocity<2>>(result.velocities.back());
   EXPECT_EQ(push.d, (std::vector<double>{0, 2}));
   EXPECT_EQ(push.velocity({0, 0}, 0), 0);

@@ -28,6 +28,18 @@ TEST(RunSummary, PrintsABalanceThatAddsUp)
                "defect of the balance of 0.5 (0.0078"});
 }
 
+TEST(RunSummary, CountsOneStepAsOne)
+{
+  RunSummary summary;
+  summary.num_steps = 1;
+  summary.forced_steps = 1;
+  summary.count.coupled_steps = 3;
+  summary.count.rate_problems = 1;
+  expectParts(summarise(summary, ""),
+              {"after 1 step.", "3 coupled steps (0 failed), 1 rate problem, 0 TNNMG iterations",
+               "1 step of the smallest size was accepted"});
+}
+
 TEST(RunSummary, WarnsOfABalanceThatDoesNotClose)
 {
   const auto warns = [](double defect, double elastic = 1) {

@@ -28,17 +28,17 @@ ParameterList deckWith(std::vector<double> const& up, std::vector<double> const&
   });
 }
 
-Upright upOf(ParameterList const& deck, int dimension, FreeSurface const& surface,
-             FreeSurface const& open = {})
+Upright upOf(ParameterList const& deck, int dimension, OuterSurface const& surface,
+             OuterSurface const& open = {})
 {
   return uprightOf(BulkSettings::from(deck.sublist("Bulk")), givenUp(deck.sublist("Output")),
                    dimension, surface, open);
 }
 
-FreeSurface facing(Direction const& normal) { return {{"top"}, {normal, 1}}; }
+OuterSurface facing(Direction const& normal) { return {{"top"}, {normal, 1}}; }
 
-Upright inSpace(FreeSurface const& surface, std::vector<double> const& up = {},
-                std::vector<double> const& down = {}, FreeSurface const& open = {})
+Upright inSpace(OuterSurface const& surface, std::vector<double> const& up = {},
+                std::vector<double> const& down = {}, OuterSurface const& open = {})
 {
   return upOf(deckWith(up, down), 3, surface, open);
 }
@@ -72,13 +72,13 @@ TEST(Upright, FollowsFromWhatNothingHoldsWithoutAFreeSurface)
 
 TEST(Upright, IsYWithoutASurfaceThatFacesSomewhere)
 {
-  for (auto const& surface : {FreeSurface{}, FreeSurface{{"all around"}, {{1e-9, 0, 0.01}, 6}}}) {
+  for (auto const& surface : {OuterSurface{}, OuterSurface{{"all around"}, {{1e-9, 0, 0.01}, 6}}}) {
     auto const found = inSpace(surface);
     EXPECT_EQ(found.up, (Direction{0, 1, 0}));
     EXPECT_EQ(found.down, (Direction{0, -1, 0}));
     EXPECT_FALSE(found.is_known);
   }
-  const FreeSurface two_ways = {{"left", "top"}, {{-1, 1, 0}, 2}};
+  const OuterSurface two_ways = {{"left", "top"}, {{-1, 1, 0}, 2}};
   EXPECT_FALSE(inSpace({}, {}, {}, two_ways).is_known);
   auto const found = inSpace({}, {}, {0.1, 0, -2});
   EXPECT_EQ(found.up, (Direction{0, 0, 1})) << "against gravity";

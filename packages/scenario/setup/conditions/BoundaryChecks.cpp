@@ -2,7 +2,8 @@
 
 #include "base/NearestName.hpp"
 #include "base/Text.hpp"
-#include "base/parallel/Gather.hpp"
+#include "base/parallel/FirstRank.hpp"
+#include "base/parallel/Reductions.hpp"
 #include "fem/BoundaryMeasure.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace asperity::scenario
@@ -50,32 +52,18 @@ FoundFacets<Dim> findFacets(Mesh<Dim> const& mesh, std::string const& boundary,
                             Communicator const& communicator, Counts const& counts)
 {
   std::int64_t mine = 0;
-  std::vector<double> first;
+  std::optional<Point<Dim>> first;
   for (auto const& facet : mesh.boundaries.at(boundary)) {
     const int least = *std::min_element(facet.begin(), facet.end(), [&mesh](int a, int b) {
       return mesh.global_ids[a] < mesh.global_ids[b];
     });
     if (least < mesh.num_owned && counts(facet)) { // each facet on one rank
       ++mine;
-      if (first.empty()) {
-        auto const centre = mesh::centroid(mesh::corners(mesh, facet));
-        first.assign(centre.begin(), centre.end());
-      }
+      first = first ? first : mesh::centroid(mesh::corners(mesh, facet));
     }
   }
-  auto const firsts = gatherToAll(first, communicator);
-  FoundFacets<Dim> found{sumOverRanks(mine, communicator), ""};
-  if (found.number > 0) {
-    Point<Dim> place;
-    std::copy_n(firsts.begin(), Dim, place.begin());
-    found.place = mesh::text(place);
-  }
-  return found;
-}
-
-std::string facetsText(std::int64_t number)
-{
-  return std::to_string(number) + (number == 1 ? " facet" : " facets");
+  auto const place = ofFirstRank(first, communicator);
+  return {sumOverRanks(mine, communicator), place ? mesh::text(*place) : ""};
 }
 
 // "the Type 'A' or 'B'"
@@ -211,7 +199,7 @@ void requireOwnFacets(std::vector<BoundaryCondition> const& conditions, Mesh<Dim
                        later->name << " (" << later->type->name << " on '" << later->boundary
                                    << "') and " << other->name << " (" << other->type->name
                                    << " on '" << other->boundary << "') have "
-                                   << facetsText(common.number) << " in common, one at "
+                                   << counted(common.number, "facet") << " in common, one at "
                                    << common.place
                                    << " m, where both would act. Give each facet one of them: "
                                       "remove a condition, or divide the boundaries in the mesh.");
@@ -248,9 +236,9 @@ void requirePlaneOfMirror(std::vector<BoundaryCondition> const& conditions, Mesh
     });
     ASPERITY_REQUIRE(off.number == 0 && (length > 0 || !(measure > 0)),
                      fault << ": it mirrors the body in its plane, but the boundary '" << boundary
-                           << "' is not in one plane: the normal of " << facetsText(off.number)
-                           << ", one at " << off.place << " m, is more than "
-                           << formatShort(largest_angle)
+                           << "' is not in one plane: the normal of "
+                           << counted(off.number, "facet") << ", one at " << off.place
+                           << " m, is more than " << formatShort(largest_angle)
                            << " degree off the mean normal. Take a plane boundary, or put both "
                               "sides into the mesh and choose the Type 'Two-Sided Fault'.");
   }

@@ -31,7 +31,6 @@ struct BoundaryConditions
   std::vector<fem::BoundaryResistance> resistances; // dashpots and springs
   std::vector<fem::VelocityCondition<Dim>> velocities;
   std::vector<fem::BoundaryTraction> tractions;
-  double ramp_end = 0; // end of the last loading ramp [s]
 };
 
 // The faults but those whose slip is prescribed.

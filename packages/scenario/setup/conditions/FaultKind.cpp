@@ -10,7 +10,7 @@ namespace
 struct AntisymmetricFault : FaultKind
 {
   AntisymmetricFault()
-      : FaultKind{"rate-and-state friction acts on a planar fault of which the body is one half; "
+      : FaultKind{"friction acts on a planar fault of which the body is one half; "
                   "the slip is twice its tangential displacement, the displacement across the "
                   "fault is free and the normal stress unchanged.",
                   fem::OtherSide::mirror_image}
@@ -21,7 +21,7 @@ struct AntisymmetricFault : FaultKind
 struct BilateralContact : FaultKind
 {
   BilateralContact()
-      : FaultKind{"rate-and-state friction acts on a rigid foundation (v . n = 0).",
+      : FaultKind{"friction acts on a rigid foundation (v . n = 0).",
                   fem::OtherSide::rigid_foundation}
   {
   }
@@ -30,7 +30,7 @@ struct BilateralContact : FaultKind
 struct TwoSidedFault : FaultKind
 {
   TwoSidedFault()
-      : FaultKind{"rate-and-state friction acts between two bodies on a fault inside the mesh, "
+      : FaultKind{"friction acts between two bodies on a fault inside the mesh, "
                   "which does not open; several boundaries may be of this type.",
                   fem::OtherSide::body}
   {

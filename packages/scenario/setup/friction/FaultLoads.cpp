@@ -1,15 +1,12 @@
 #include "scenario/setup/friction/FaultLoads.hpp"
 
-#include "base/Text.hpp"
-#include "base/parallel/Reductions.hpp"
+#include "base/Errors.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/conditions/PlateRate.hpp"
-#include "scenario/setup/friction/FrictionSetup.hpp"
 
 #include <Tpetra_Vector.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace asperity::scenario

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "base/Warning.hpp"
-#include "dynamics/fault/NormalStress.hpp"
 #include "fem/BoundaryLoad.hpp"
 #include "fem/FaultSurface.hpp"
 #include "fem/constraints/NodalFrames.hpp"

@@ -2,12 +2,10 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "base/parallel/Agreement.hpp"
 #include "base/parallel/Reductions.hpp"
-#include "dynamics/processes/RegularisedStress.hpp"
+#include "dynamics/FaultProcess.hpp"
 #include "parameters/Entries.hpp"
 #include "scenario/setup/DeckPaths.hpp"
-#include "scenario/setup/friction/LawSetup.hpp"
 
 #include <algorithm>
 #include <iterator>

@@ -1,11 +1,7 @@
 #include "scenario/setup/rock/BulkSetup.hpp"
 
-#include "base/parallel/Agreement.hpp"
-#include "base/parallel/Gather.hpp"
-#include "base/parallel/Reductions.hpp"
-#include "fem/Simplex.hpp"
+#include "base/Errors.hpp"
 #include "fem/bulk/BulkLaw.hpp"
-#include "parameters/ParameterValue.hpp"
 #include "scenario/setup/DeckDirections.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/ParameterTable.hpp"
@@ -14,8 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 
 namespace asperity::scenario
 {

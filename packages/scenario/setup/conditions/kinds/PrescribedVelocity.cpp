@@ -3,7 +3,6 @@
 #include "scenario/setup/conditions/BoundaryKind.hpp"
 #include "scenario/setup/conditions/ConditionEntries.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -63,7 +62,6 @@ struct PrescribedVelocity
     auto const direction = directionOf(condition, context.components);
     result.velocities.push_back(
       {condition.name, condition.boundary, fem::PrescribedVelocity<Dim>{direction, velocity}});
-    result.ramp_end = std::max(result.ramp_end, duration);
   }
 };
 } // namespace
