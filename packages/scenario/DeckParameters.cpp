@@ -11,7 +11,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
-#include "scenario/setup/mesh/MeshSetup.hpp"
+#include "scenario/setup/mesh/MeshSettings.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 
 namespace asperity::scenario

@@ -19,6 +19,7 @@
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawsAtNodes.hpp"
+#include "scenario/setup/mesh/MeshSettings.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 #include "scenario/setup/rock/RockSetup.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
@@ -186,7 +187,8 @@ RCP<ParameterList> readDeckOf(BuildSettings const& settings, std::string const& 
 
 void reportSize(ParameterList const& deck, CellEstimate const& cells, std::ostream& out)
 {
-  const double refined = std::pow(8, deck.sublist("Mesh").get<int>("Refinements"));
+  auto const mesh = scenario::MeshSettings::from(deck.sublist("Mesh"));
+  const double refined = std::pow(8, mesh.num_refinements);
   const double unknowns = components * refined * (cells.vertices + cells.fault_facets / 2);
   const auto solver = scenario::makeSolverSettings(
     scenario::SolverSettings::from(deck.sublist("TNNMG")), 1, 3, static_cast<long long>(unknowns));
@@ -238,8 +240,8 @@ void reportDeck(Complex const& complex, BuildSettings const& settings, CellSize 
     return;
   }
   auto const& laws = friction_settings.laws;
-  const auto advice =
-    scenario::adviceOnLowerCells(deck->sublist("Mesh"), scenario::faultsWithFriction(boundary));
+  const auto advice = scenario::adviceOnLowerCells(
+    scenario::MeshSettings::from(deck->sublist("Mesh")), scenario::faultsWithFriction(boundary));
   for (auto const& line : scenario::describe(*resolution, laws, advice)) {
     out << of << line << '\n';
   }

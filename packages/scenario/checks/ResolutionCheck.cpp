@@ -5,9 +5,6 @@
 #include "friction/Registry.hpp"
 #include "scenario/checks/Rounded.hpp"
 #include "scenario/setup/mesh/GeneratedMesh.hpp"
-#include "scenario/setup/mesh/MeshSetup.hpp"
-
-#include <Teuchos_Array.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -89,17 +86,15 @@ std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
   return lines;
 }
 
-std::string adviceOnLowerCells(ParameterList const& mesh, std::vector<std::string> const& faults)
+std::string adviceOnLowerCells(MeshSettings const& mesh, std::vector<std::string> const& faults)
 {
-  if (mesh.isParameter(flat_cells_beside)) {
-    auto const flat = mesh.get<Teuchos::Array<std::string>>(flat_cells_beside);
-    if (std::all_of(faults.begin(), faults.end(), [&](auto const& fault) {
-          return std::find(flat.begin(), flat.end(), fault) != flat.end();
-        })) {
-      return "";
-    }
+  if (auto const& flat = mesh.flat_cells;
+      flat && std::all_of(faults.begin(), faults.end(), [&](auto const& fault) {
+        return std::find(flat->begin(), flat->end(), fault) != flat->end();
+      })) {
+    return "";
   }
-  auto const generated = generatedMesh(mesh.get<std::string>("Type"));
+  auto const generated = generatedMesh(mesh.type);
   return generated ? generated->lower_cells : GeneratedMesh::lower_cells_beside;
 }
 

@@ -15,9 +15,9 @@ namespace asperity::scenario
 // how cells beside the fault become lower, see adviceOnLowerCells.
 std::vector<std::string> describe(dynamics::FaultResolution const& resolution,
                                   LawChoice const& laws, std::string const& lower_cells);
-// A sentence that says how the cells beside these faults become lower, for a mesh of the deck's
-// list `Mesh`; empty if the list makes them flat along all the faults already.
-std::string adviceOnLowerCells(ParameterList const& mesh, std::vector<std::string> const& faults);
+// A sentence that says how the cells beside these faults become lower; empty if the settings of the
+// mesh make them flat along all the faults already.
+std::string adviceOnLowerCells(MeshSettings const& mesh, std::vector<std::string> const& faults);
 // Warns if there are fewer than three cells per cohesive zone, and if only a part of the fault
 // weakens and is less than half as long as the nucleation length, unless the state law weakens
 // friction at high slip rates more than a and b say.

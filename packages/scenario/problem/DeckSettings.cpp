@@ -9,13 +9,13 @@ namespace asperity::scenario
 {
 DeckSettings DeckSettings::from(ParameterList const& deck)
 {
-  DeckLists lists{deck.sublist("Mesh"), deck.sublist("Bulk"), deck.sublist("Friction"),
-                  deck.sublist("Initial State")};
+  DeckLists lists{deck.sublist("Bulk"), deck.sublist("Friction"), deck.sublist("Initial State")};
   auto time = TimeSettings::from(deck.sublist("Time Stepping"));
   auto const coupling = dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance);
   auto const& output = deck.sublist("Output");
   return {std::move(time),
           coupling,
+          MeshSettings::from(deck.sublist("Mesh")),
           readConditions(deck.sublist("Boundary Conditions")),
           BulkSettings::from(lists.bulk),
           FrictionSettings::from(lists.friction),

@@ -9,6 +9,7 @@
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/FrictionSetup.hpp"
+#include "scenario/setup/mesh/MeshSettings.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 
 #include <optional>
@@ -18,10 +19,10 @@ namespace asperity::scenario
 {
 // Lists of a complete deck of which the settings below hold only some entries. The others are
 // fields, which can be evaluated only on a mesh, and the parameters of what the deck chooses by
-// name: a type of mesh, laws of rock and friction, processes on faults.
+// name: laws of rock and friction, processes on faults.
 struct DeckLists
 {
-  ParameterList mesh, bulk, friction, initial;
+  ParameterList bulk, friction, initial;
 };
 
 // All that a problem and the steps of its run take from their deck, read once. Whatever needs a
@@ -30,6 +31,7 @@ struct DeckSettings
 {
   TimeSettings time;
   dynamics::CouplingSettings coupling;
+  MeshSettings mesh;
   std::vector<BoundaryCondition> conditions; // in the order of the deck
   BulkSettings bulk;
   FrictionSettings friction;

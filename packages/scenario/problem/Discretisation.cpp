@@ -71,9 +71,8 @@ Discretisation<Dim> discretise(DeckSettings const& settings,
                      << quotedAlternatives(kinds)
                      << ". Name the boundary that is the fault, or remove the list.");
   const auto branch_end = components == 2 ? mesh::BranchEnd::tip : mesh::BranchEnd::joint;
-  auto mesh =
-    makeMesh<Dim>(settings.lists.mesh, boundary.faults.empty() ? "" : boundary.faults.front(),
-                  branch_end, communicator);
+  auto mesh = makeMesh<Dim>(settings.mesh, boundary.faults.empty() ? "" : boundary.faults.front(),
+                            branch_end, communicator);
   requireGlobalIds(mesh, components);
   requireBoundaries(conditions, mesh);
   requireFaults(conditions, mesh, *communicator);

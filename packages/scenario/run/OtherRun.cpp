@@ -120,14 +120,12 @@ std::string timesOf(std::vector<fem::MaxwellBranch> const& branches)
 template <int Dim>
 void requireSameKind(Problem<Dim> const& here, Problem<Dim> const& there, std::string const& run)
 {
-  DeckLists const& ours = here.settings.lists;
-  DeckLists const& others = there.settings.lists;
-  for (std::string const name : {"Law", "State Evolution"}) {
-    requireSame("Asperity / Friction / " + name, ours.friction.get<std::string>(name),
-                others.friction.get<std::string>(name), run);
-  }
-  requireSame("Asperity / Bulk / Model", ours.bulk.get<std::string>("Model"),
-              others.bulk.get<std::string>("Model"), run);
+  auto const& laws = here.settings.friction.laws;
+  auto const& other_laws = there.settings.friction.laws;
+  requireSame("Asperity / Friction / Law", laws.friction, other_laws.friction, run);
+  requireSame("Asperity / Friction / State Evolution", laws.state, other_laws.state, run);
+  requireSame("Asperity / Bulk / Model", here.settings.bulk.model(), there.settings.bulk.model(),
+              run);
   requireSame("The relaxation times of the rock in s (Asperity / Bulk)",
               timesOf(here.discretisation.rock.branches),
               timesOf(there.discretisation.rock.branches), run);

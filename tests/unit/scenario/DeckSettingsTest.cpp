@@ -27,6 +27,7 @@ TEST(DeckSettings, HoldEveryListThatAProblemReads)
   EXPECT_EQ(settings.time.final_time, 7);
   ASSERT_EQ(settings.conditions.size(), 2U);
   EXPECT_EQ(settings.conditions.front().boundary, "bottom");
+  EXPECT_EQ(settings.mesh.type, "Rectangle");
   EXPECT_EQ(settings.bulk.gravity, 3);
   EXPECT_EQ(settings.friction.normal_stress_factor, 0.5);
   EXPECT_FALSE(settings.initial.is_static);
@@ -45,7 +46,6 @@ TEST(DeckSettings, HoldEveryListThatAProblemReads)
   EXPECT_EQ(settings.lists.bulk.get<double>("Density"), 1234);
   EXPECT_EQ(settings.lists.friction.get<double>("Cohesion"), 11);
   EXPECT_EQ(settings.lists.initial.get<double>("Slip Rate"), 2);
-  EXPECT_EQ(settings.lists.mesh.get<std::string>("Type"), "Rectangle");
 }
 
 // The directions that a run sets in its deck follow from the mesh, and must not be taken for the

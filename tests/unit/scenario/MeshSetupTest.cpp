@@ -25,7 +25,7 @@ Mesh<2> halfSpace(std::function<void(ParameterList&)> const& change = [](auto&) 
   list.sublist("Rectangle").set("Lower Left", array<double>({0., -4e3}));
   change(list);
   completeAndValidate(list, *meshParameters(), "Asperity / Mesh");
-  return makeMesh<2>(list, "", mesh::BranchEnd::tip, world());
+  return makeMesh<2>(MeshSettings::from(list), "", mesh::BranchEnd::tip, world());
 }
 
 Mesh<2> graded(char const* cell_size, double factor = 1)

@@ -253,10 +253,10 @@ TEST(ResolutionCheck, AdvisesLowCellsWhereThereAreFew)
 {
   const auto advice = [](double cells_per_zone, double height, std::string const& type,
                          std::vector<std::string> const& flat_beside = {}) {
-    ParameterList mesh;
-    mesh.set("Type", type);
+    MeshSettings mesh;
+    mesh.type = type;
     if (!flat_beside.empty()) {
-      mesh.set("Flat Cells Beside", array(flat_beside));
+      mesh.flat_cells = flat_beside;
     }
     for (auto const& line :
          describe({1, 1, 10, 47, 40, cells_per_zone, height, {0.035, 0.012}}, lawsWith("Ageing"),

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "mesh/GlobalMesh.hpp"
+#include "mesh/generation/WedgeMesh.hpp"
 #include "parameters/Parameters.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +21,8 @@ struct GeneratedMesh
   std::string sizes; // those of its entries that decide on the number of vertices, for messages
   // A sentence that says how the cells beside a fault become lower, for the log.
   std::string lower_cells = lower_cells_beside;
-  bool is_wedge = false; // has the entries of a wedge
+  // Of wedges: the shape in the plane, by the list of the type. Empty of others.
+  std::function<mesh::WedgeShape(ParameterList const&)> wedge_shape;
 
   static constexpr char const* lower_cells_beside =
     "'Mesh / Flat Cells Beside' makes them in meshes that are not periodic.";

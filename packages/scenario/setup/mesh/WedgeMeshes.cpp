@@ -113,18 +113,18 @@ std::vector<Point<2>> intervals(Ends const& ends, std::string const& path, std::
   return pairs;
 }
 
-mesh::WedgeShape wedgeShape(ParameterList const& list, mesh::VertexLimit const& limit)
+mesh::WedgeShape wedgeShape(ParameterList const& list)
 {
   auto const path = joinPath(mesh_path, list.name());
   auto wedge = wedgeEntries().read(list, path);
-  wedge.limit = limit;
   wedge.further_zones = intervals(wedge.refined, joinPath(path, refined_intervals), "the base");
   return wedge;
 }
 
 GlobalMesh<3> makeDeepWedge(ParameterList const& list, mesh::VertexLimit const& limit)
 {
-  auto const shape = wedgeShape(list, limit);
+  auto shape = wedgeShape(list);
+  shape.limit = limit;
   ParameterList declared;
   auto const path = joinPath(mesh_path, list.name());
   auto const deep = deepWedgeEntries(declared).read(list, path);
@@ -147,9 +147,11 @@ Generator<2> wedgeGenerator()
   wedge.name = "Wedge";
   wedge.entries = wedgeEntries().list();
   wedge.sizes = sizes_of_wedge;
-  wedge.is_wedge = true;
+  wedge.wedge_shape = wedgeShape;
   wedge.make = [](ParameterList const& list, mesh::VertexLimit const& limit) {
-    return mesh::wedgeMesh(wedgeShape(list, limit));
+    auto shape = wedgeShape(list);
+    shape.limit = limit;
+    return mesh::wedgeMesh(shape);
   };
   return wedge;
 }
@@ -160,7 +162,7 @@ Generator<3> deepWedgeGenerator()
   wedge.name = "Deep Wedge";
   wedge.entries = deepWedgeParameters();
   wedge.sizes = std::string(sizes_of_wedge) + ", Depth";
-  wedge.is_wedge = true;
+  wedge.wedge_shape = wedgeShape;
   wedge.make = makeDeepWedge;
   return wedge;
 }

@@ -123,6 +123,14 @@ BulkSettings BulkSettings::from(ParameterList const& list)
   return settings;
 }
 
+std::string BulkSettings::model() const
+{
+  auto const words = models();
+  return std::find_if(words.begin(), words.end(),
+                      [this](auto const& each) { return each.second == components; })
+    ->first;
+}
+
 bool BulkSettings::isQuasiDynamic() const { return dynamics == quasi_dynamic; }
 
 bool choosesQuasiDynamic(ParameterList const& list)
@@ -141,11 +149,8 @@ Entries<LawOfRegion> LawOfRegion::entries()
 
 void requireDimension(BulkSettings const& bulk, int dimension)
 {
-  auto const all = models();
-  auto const model = std::find_if(all.begin(), all.end(),
-                                  [&](auto const& each) { return each.second == bulk.components; });
   ASPERITY_REQUIRE((bulk.components == 3) == (dimension == 3),
-                   bulk_path << " / Model = " << model->first << ", but the mesh has " << dimension
+                   bulk_path << " / Model = " << bulk.model() << ", but the mesh has " << dimension
                              << " dimensions. Choose "
                              << (dimension == 3 ? "Solid." : "Plane Strain or Antiplane."));
 }

@@ -36,6 +36,7 @@ struct BulkSettings
 
   static BulkSettings from(ParameterList const& list);
 
+  std::string model() const; // the word of the entry `Model`
   // Whether the body has no mass, and its fault has radiation damping instead.
   bool isQuasiDynamic() const;
   bool hasGravity() const { return gravity > 0; }
