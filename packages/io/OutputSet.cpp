@@ -39,7 +39,7 @@ ParameterList complete(Teuchos::ParameterList const& given)
 Entries<DirectionUp> upEntries(ParameterList& list)
 {
   Entries<DirectionUp> entries({}, list);
-  entries.realArray("Up", &DirectionUp::up, optional, "-", Range::any(),
+  entries.realArray(DirectionUp::entry, &DirectionUp::up, optional, "-", Range::any(),
                     "This vector points up in three dimensions; strike and dip of the fault "
                     "follow from it. Its length has no effect. If it is left out, up is the "
                     "axis that is nearest to the outward normal of the Free Surface; against "

@@ -11,6 +11,7 @@ namespace asperity::io
 // The entry `Up` of the deck's list `Output`.
 struct DirectionUp
 {
+  static constexpr char const* entry = "Up";
   std::optional<std::vector<double>> up; // as the deck gives it
 
   static DirectionUp from(Teuchos::ParameterList const& output);

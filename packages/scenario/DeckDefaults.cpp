@@ -1,6 +1,7 @@
 #include "scenario/DeckDefaults.hpp"
 
 #include "scenario/setup/TimeSchemes.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
@@ -30,7 +31,7 @@ void chooseDefaultLaws(ParameterList& deck)
 void chooseDefaultScheme(ParameterList& deck)
 {
   constexpr char const* list = "Time Stepping";
-  constexpr char const* entry = "Scheme";
+  constexpr char const* entry = time_entries::scheme;
   const bool is_quasi_dynamic = deck.isSublist("Bulk") && choosesQuasiDynamic(deck.sublist("Bulk"));
   if (is_quasi_dynamic && isListOrMissing(deck, list) && !deck.sublist(list).isParameter(entry)) {
     deck.sublist(list).setEntry(entry, Teuchos::ParameterEntry(std::string(massless_scheme), true));

@@ -9,6 +9,7 @@
 #include "parameters/fields/TableFile.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 #include "scenario/deck/Tables.hpp"
+#include "scenario/setup/TimeSetup.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 
@@ -126,7 +127,7 @@ io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
   relevant.remove("TNNMG");
   relevant.remove("Coupling");
   auto& time = relevant.sublist("Time Stepping");
-  for (auto const* name : {"Final Time", "Smallest Step"}) {
+  for (auto const* name : {time_entries::final_time, time_entries::smallest_step}) {
     time.remove(name, false);
   }
   auto const& watches = dynamics::WatchRegistry::instance();

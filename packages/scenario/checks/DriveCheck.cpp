@@ -39,7 +39,7 @@ std::vector<Warning> warnOfDrive(Problem<Dim> const& problem)
   const double end = problem.settings.time.final_time;
   std::vector<Warning> warnings;
   for (auto const& condition : problem.settings.conditions) {
-    for (char const* entry : {"Velocity", "Plate Rate"}) {
+    for (char const* entry : {condition_entries::velocity, condition_entries::plate_rate}) {
       if (!isGiven(condition.list, entry)) {
         continue;
       }

@@ -108,7 +108,8 @@ HeldEnd heldEnd(Problem<Dim> const& problem, std::vector<bool>& held,
 int holdsMore(BoundaryCondition const& condition)
 {
   auto const& type = *condition.type;
-  const bool has_own_direction = !condition.liesAlongFault() && type.readsEntry("Direction");
+  const bool has_own_direction =
+    !condition.liesAlongFault() && type.readsEntry(condition_entries::direction);
   return type.decides_on == DecidesOn::rest ? 2 : has_own_direction ? 1 : 0;
 }
 } // namespace

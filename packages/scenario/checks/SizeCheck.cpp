@@ -130,8 +130,7 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem)
   auto const& names = problem.discretisation.boundary.given_slip;
   for (auto const& condition : problem.settings.conditions) {
     auto const& name = condition.boundary;
-    if (std::find(names.begin(), names.end(), name) == names.end() ||
-        !isGiven(condition.list, "Slip Rate")) {
+    if (std::find(names.begin(), names.end(), name) == names.end() || !condition.givesSlipRate()) {
       continue;
     }
     std::vector<Point<Dim>> places;
@@ -140,7 +139,7 @@ std::vector<Warning> warnOfPrescribedSlip(Problem<Dim> const& problem)
     }
     auto const sides = mesh::sidesOfBox<Dim>(places, *problem.communicator);
     const double extent = *std::max_element(sides.begin(), sides.end());
-    auto const rate = boundaryField(condition, "Slip Rate", problem.mesh());
+    auto const rate = boundaryField(condition, condition_entries::slip_rate, problem.mesh());
     const double slip = maxOverRanks(largestSlip(rate, end), *problem.communicator);
     if (slip > small_strain * extent) {
       return {

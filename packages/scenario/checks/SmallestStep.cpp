@@ -15,7 +15,7 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* step_name = "Smallest Step";
+constexpr char const* step_name = time_entries::smallest_step;
 
 double defaultStep(dynamics::FaultResolution const& resolution, BulkSettings const& bulk,
                    TimeSettings const& time)
@@ -112,12 +112,12 @@ void describeSmallestStep(Problem<Dim> const& problem, Description& description)
     }
   } else if (!time.smallest_step) {
     description.lines.push_back(
-      "Smallest Step = " + formatShort(advised) + " s by default: an earthquake slips by L in " +
+      step_name + (" = " + formatShort(advised)) + " s by default: an earthquake slips by L in " +
       formatShort(seismic) + " s or more; a shear wave takes " +
       formatShort(resolution->crossing_time) + " s through a cell at the fault.");
   } else if (*time.smallest_step > seismic) {
     description.warnings.push_back(
-      {"smallest step", "Smallest Step = " + formatShort(*time.smallest_step) +
+      {"smallest step", step_name + (" = " + formatShort(*time.smallest_step)) +
                           " s is longer than an earthquake takes to slip by L, " +
                           formatShort(seismic) +
                           " s: earthquakes may be lost. Leave it out for the default of " +

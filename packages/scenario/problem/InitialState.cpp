@@ -68,8 +68,8 @@ NodeView initialAlpha(dynamics::AlphaAtStart kind, ParameterList const& list,
                                 {nodalValues(list, initial_entries::alpha, initial_path, nodes),
                                  traction, fault.given(state).sigma_n, w},
                                 [&](int i) {
-                                  return initial_path +
-                                         " / State = " + list.get<std::string>("State") +
+                                  return joinPath(initial_path, initial_entries::state) + " = " +
+                                         list.get<std::string>(initial_entries::state) +
                                          ": at node " + std::to_string(nodes.ids[i]) +
                                          ", x = " + nodes.text(i) + ",";
                                 });

@@ -265,8 +265,8 @@ std::string describeRake(FaultSides const& sides, Problem<Dim> const& problem,
     return rakeAlong(sides, problem.settings.friction.slip_direction, "Shear Traction");
   }
   for (auto const& condition : problem.settings.conditions) {
-    if (condition.boundary == fault && isGiven(condition.list, "Slip Rate")) {
-      return rakeAlong(sides, condition.direction, "Slip Rate");
+    if (condition.boundary == fault && condition.givesSlipRate()) {
+      return rakeAlong(sides, condition.direction, condition_entries::slip_rate);
     }
   }
   return "";

@@ -12,7 +12,8 @@ bool isLeftOut(ParameterList const& list, std::string const& name)
 
 std::optional<std::vector<double>> givenUp(ParameterList const& output)
 {
-  return isLeftOut(output, "Up") ? std::nullopt : io::DirectionUp::from(output).up;
+  return isLeftOut(output, io::DirectionUp::entry) ? std::nullopt
+                                                   : io::DirectionUp::from(output).up;
 }
 
 void completeDirections(ParameterList& deck, int dimension, std::array<double, 3> const& up)
@@ -22,11 +23,11 @@ void completeDirections(ParameterList& deck, int dimension, std::array<double, 3
       list.setEntry(name, Teuchos::ParameterEntry(Teuchos::Array<double>(value), true));
     }
   };
-  set(deck.sublist("Output"), "Up", std::vector<double>{up[0], up[1], up[2]});
+  set(deck.sublist("Output"), io::DirectionUp::entry, std::vector<double>{up[0], up[1], up[2]});
   std::vector<double> down = {0. - up[0], 0. - up[1]}; // 0 where up is 0, not -0
   if (dimension == 3 && up[2] != 0) {
     down.push_back(0. - up[2]);
   }
-  set(deck.sublist("Bulk"), "Gravity Direction", down);
+  set(deck.sublist("Bulk"), gravity_direction_entry, down);
 }
 } // namespace asperity::scenario

@@ -11,6 +11,8 @@
 // deck leaves them out (problem/Upright.hpp).
 namespace asperity::scenario
 {
+inline constexpr char const* gravity_direction_entry = "Gravity Direction";
+
 // Whether the deck leaves out this entry of the list. An entry that completeDirections has set
 // counts as left out.
 bool isLeftOut(ParameterList const& list, std::string const& name);

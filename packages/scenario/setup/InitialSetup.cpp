@@ -31,7 +31,7 @@ Entries<InitialSettings> initialEntries()
     .choice("Acceleration", &S::is_balanced, {{"Balanced", true}, {"Zero", false}},
             "Selects the initial acceleration. Balanced: it follows from the balance of momentum; "
             "a quasi-dynamic model has none. Zero: it is zero whatever the forces are.")
-    .choice("State", &S::alpha,
+    .choice(initial_entries::state, &S::alpha,
             {{"Given", AlphaAtStart::given},
              {"Steady", AlphaAtStart::steady},
              {"Stress Balance", AlphaAtStart::stress_balance}},

@@ -10,10 +10,12 @@ namespace asperity::scenario
 // The deck's list `Initial State`.
 RCP<const ParameterList> initialStateParameters();
 
-// Its fields: the velocity of the body along the axes and the slip rate of the fault, which may be
-// left out [m/s]; the state alpha [-].
+// Names of entries that its declaration and its readers share: the choice of the state; and fields,
+// which are the velocity of the body along the axes and the slip rate of the fault, which may be
+// left out [m/s], and the state alpha [-].
 namespace initial_entries
 {
+inline constexpr char const* state = "State";
 inline constexpr std::array<char const*, 3> velocity = {"Velocity X", "Velocity Y", "Velocity Z"};
 inline constexpr char const* slip_rate = "Slip Rate";
 inline constexpr char const* alpha = "alpha";

@@ -13,9 +13,6 @@ namespace asperity::scenario
 {
 namespace
 {
-constexpr char const* largest_name = "Largest Step";
-constexpr char const* smallest_name = "Smallest Step";
-
 // To three digits; value > 0.
 double roundedDown(double value)
 {
@@ -60,20 +57,20 @@ Entries<TimeSettings> timeEntries()
   }
   Entries<S> entries;
   entries
-    .real("Final Time", &S::final_time, required, "s", Range::positive(),
+    .real(time_entries::final_time, &S::final_time, required, "s", Range::positive(),
           "The run ends at this time, rounded up to a multiple of the smallest step; the last "
           "steps are cut short to meet it.")
     .realArray("Instants", &S::instants, "s", Range::positive(),
                "No step passes one of these times: a step ends there, to within the smallest step.")
     .hint("Name the times at which a load changes faster than steps follow.")
-    .choiceOfLists("Scheme", &S::scheme, schemes, meaning_of_schemes);
+    .choiceOfLists(time_entries::scheme, &S::scheme, schemes, meaning_of_schemes);
   addEntriesOfWatches(entries.others());
   entries
-    .real(largest_name, &S::largest_step, "s", Range::positive(),
+    .real(time_entries::largest_step, &S::largest_step, "s", Range::positive(),
           "The size of every step is this one divided by a power of two. The default is 2^25 s, "
           "about a year; where steps are prescribed, give it.")
     .real(
-      smallest_name, &S::smallest_step, optional, "s", Range::positive(),
+      time_entries::smallest_step, &S::smallest_step, optional, "s", Range::positive(),
       "No step is smaller than this, rounded down to the largest step divided by a power of two. "
       "Without it this is a hundredth of L over a seismic slip rate 20 b sigma_n / Z, where Z is "
       "the shear impedance at the fault, and with inertia at most a tenth of the time that a shear "
@@ -105,7 +102,7 @@ std::string meaningOfTime()
 TimeSettings TimeSettings::from(ParameterList const& list)
 {
   auto settings = timeEntries().read(list, time_path);
-  settings.names_largest_step = !list.getEntry(largest_name).isDefault();
+  settings.names_largest_step = !list.getEntry(time_entries::largest_step).isDefault();
   settings.scheme_list = list.sublist(settings.scheme);
   settings.control_list = list.sublist(settings.control);
   settings.tolerance_entry =
@@ -135,7 +132,7 @@ std::vector<dynamics::DyadicTime::Ticks> instants(TimeSettings const& settings,
 dynamics::DyadicTime makeClock(TimeSettings const& settings)
 {
   auto const given = settings.smallest_step;
-  ASPERITY_REQUIRE(given, time_path << " / " << smallest_name
+  ASPERITY_REQUIRE(given, time_path << " / " << time_entries::smallest_step
                                     << " is missing: it has no default here. Give it.");
   return makeClock(settings, *given);
 }
@@ -143,18 +140,19 @@ dynamics::DyadicTime makeClock(TimeSettings const& settings)
 dynamics::DyadicTime makeClock(TimeSettings const& settings, double smallest)
 {
   const double largest = settings.largest_step;
-  ASPERITY_REQUIRE(smallest <= largest, time_path << " / Smallest Step = " << smallest
-                                                  << " s is larger than the largest step, "
-                                                  << largest << " s.");
+  ASPERITY_REQUIRE(smallest <= largest,
+                   time_path << " / " << time_entries::smallest_step << " = " << smallest
+                             << " s is larger than the largest step, " << largest << " s.");
   // As a difference, which does not overflow.
   const double levels = std::ceil(std::log2(largest) - std::log2(smallest) - 1e-9);
   const bool is_given = settings.smallest_step.has_value();
   ASPERITY_REQUIRE(levels <= 60 || !is_given,
-                   time_path << " / Smallest Step = " << smallest
+                   time_path << " / " << time_entries::smallest_step << " = " << smallest
                              << " s is less than the largest one, " << largest
                              << " s, divided by 2^60. Choose a larger 'Smallest Step' or a smaller "
                                 "'Largest Step'.");
-  ASPERITY_REQUIRE(levels <= 60, time_path << " / Largest Step = " << largest
+  ASPERITY_REQUIRE(levels <= 60, time_path << " / " << time_entries::largest_step << " = "
+                                           << largest
                                            << " s is more than 2^60 times the smallest step that "
                                               "an earthquake needs, "
                                            << smallest << " s. Choose a smaller one.");
@@ -163,7 +161,7 @@ dynamics::DyadicTime makeClock(TimeSettings const& settings, double smallest)
   constexpr double most_ticks = 4.5e18;
   const double tick = clock.stepSize(clock.finestLevel());
   ASPERITY_REQUIRE(clock.reaches(2 * (settings.final_time + largest)),
-                   time_path << " / Final Time = " << settings.final_time
+                   time_path << " / " << time_entries::final_time << " = " << settings.final_time
                              << " s is too long: time is counted in smallest steps, here of "
                              << tick << " s, to " << most_ticks << " of them. Choose at most "
                              << roundedDown(most_ticks * tick - largest) << " s"
@@ -184,7 +182,8 @@ std::unique_ptr<dynamics::StepControl> makeStepControl(TimeSettings const& setti
                           instants(settings, output_times, step.clock()), setting.displacement,
                           setting.least_motion[0], setting.least_motion[1], setting.place_of});
   ASPERITY_REQUIRE(control->adapts() || settings.names_largest_step,
-                   time_path << " / " << largest_name << " is missing: prescribed steps need it.");
+                   time_path << " / " << time_entries::largest_step
+                             << " is missing: prescribed steps need it.");
   return control;
 }
 } // namespace asperity::scenario

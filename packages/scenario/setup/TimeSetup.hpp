@@ -15,6 +15,15 @@ namespace asperity::scenario
 RCP<const ParameterList> timeParameters();
 std::string meaningOfTime();
 
+// Names of its entries that its declaration and its readers share.
+namespace time_entries
+{
+inline constexpr char const* final_time = "Final Time";
+inline constexpr char const* scheme = "Scheme";
+inline constexpr char const* largest_step = "Largest Step";
+inline constexpr char const* smallest_step = "Smallest Step";
+} // namespace time_entries
+
 // The entries of the list without those of watches.
 struct TimeSettings
 {

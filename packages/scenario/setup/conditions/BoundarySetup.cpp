@@ -88,7 +88,7 @@ BoundaryConditions<Dim> makeBoundaryConditions(std::vector<BoundaryCondition> co
   for (auto const& condition : conditions) {
     if (!condition.type->isFault()) {
       make(condition, context, result);
-    } else if (isGiven(condition.list, "Slip Rate")) {
+    } else if (condition.givesSlipRate()) {
       prescribeSlipRate(condition, context, result);
     }
   }

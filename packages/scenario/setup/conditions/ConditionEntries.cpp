@@ -13,7 +13,7 @@ std::vector<double> axis(int components, int which)
 
 void refuseDirection(BoundaryCondition const& condition, char const* why)
 {
-  ASPERITY_REQUIRE(!condition.direction, joinPath(condition.name, "Direction")
+  ASPERITY_REQUIRE(!condition.direction, joinPath(condition.name, condition_entries::direction)
                                            << " has no effect: " << why << ". Remove it.");
 }
 
@@ -32,7 +32,7 @@ std::vector<double> directionOf(BoundaryCondition const& condition, int componen
     square += component * component;
   }
   ASPERITY_REQUIRE(static_cast<int>(given.size()) == components && square > 0,
-                   joinPath(condition.name, "Direction")
+                   joinPath(condition.name, condition_entries::direction)
                      << " needs "
                      << (components == 3
                            ? "three numbers, not all zero: where the velocity points, "

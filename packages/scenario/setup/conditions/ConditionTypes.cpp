@@ -24,7 +24,8 @@ ConditionType faultType(std::string const& name, FaultKind const& kind)
   type.decides_on = DecidesOn::traction;
   type.makers = {addFault<2>, addFault<3>};
   type.other_side = kind.other_side;
-  type.reads = {"Direction", "Plate Rate", "Slip Rate"};
+  type.reads = {condition_entries::direction, condition_entries::plate_rate,
+                condition_entries::slip_rate};
   return type;
 }
 
@@ -38,7 +39,7 @@ ConditionType typeOfContinuations()
   type.place = ConditionPlace::continuation;
   type.decides_on = DecidesOn::traction;
   type.makers = {prescribeSlipRate<2>, prescribeSlipRate<3>};
-  type.reads = {"Direction", "Slip Rate"};
+  type.reads = {condition_entries::direction, condition_entries::slip_rate};
   return type;
 }
 
@@ -55,7 +56,7 @@ ConditionType typeOnBoundary(std::string const& name)
     }
   }
   if (type.reads_direction) {
-    type.reads.emplace_back("Direction");
+    type.reads.emplace_back(condition_entries::direction);
   }
   return type;
 }
@@ -136,21 +137,21 @@ Entries<CommonEntries> commonEntries()
   one_condition
     .text("Boundary", &S::boundary, required,
           "Names the boundary of the mesh on which the condition holds.")
-    .choiceOfWords("Type", &S::type, required, typeNames(), meaningOfType())
+    .choiceOfWords(condition_entries::type, &S::type, required, typeNames(), meaningOfType())
     .realArray(
-      "Direction", &S::direction, optional, "-", Range::any(),
+      condition_entries::direction, &S::direction, optional, "-", Range::any(),
       "Prescribed Velocity: components along the axes that say where the velocity points, of any "
       "length; it points along +x if they are left out, and an antiplane body moves along z "
       "alone. Prescribed Slip Rate, and faults with a Slip Rate or a Plate Rate, in three "
       "dimensions: the slip points along the projection of this vector onto the boundary.")
     .others()
-    .field("Plate Rate", optional, "m/s", Range::any(),
+    .field(condition_entries::plate_rate, optional, "m/s", Range::any(),
            "Faults: says how fast the plates slide past each other along the fault (back slip). "
            "Friction and all outputs of slip include this rate in addition to the motion of the "
            "bodies, whose far boundaries are then at rest. It points along the tangent of the "
            "fault's frame, in three dimensions along Direction, and is constant in time.")
     .withoutDatasets()
-    .field("Slip Rate", optional, "m/s", Range::any(),
+    .field(condition_entries::slip_rate, optional, "m/s", Range::any(),
            "Prescribed Slip Rate, and faults whose slip is known: says how fast the boundary "
            "slips; in two dimensions along the tangent of the fault's frame, which points along "
            "+x on a fault below the body. A fault with a slip rate has no friction.")
@@ -228,9 +229,10 @@ bool haveFriction(ParameterList const& list)
       return false;
     }
     auto const& condition = list.sublist(entry.first);
-    return condition.template isType<std::string>("Type") && !isGiven(condition, "Slip Rate") &&
-           std::find(kinds.begin(), kinds.end(), condition.template get<std::string>("Type")) !=
-             kinds.end();
+    return condition.template isType<std::string>(condition_entries::type) &&
+           !isGiven(condition, condition_entries::slip_rate) &&
+           std::find(kinds.begin(), kinds.end(),
+                     condition.template get<std::string>(condition_entries::type)) != kinds.end();
   });
 }
 } // namespace asperity::scenario

@@ -12,6 +12,16 @@ namespace asperity::scenario
 {
 struct BoundaryCondition;
 
+// Names of entries of a condition that its declaration and its readers share.
+namespace condition_entries
+{
+inline constexpr char const* type = "Type";
+inline constexpr char const* direction = "Direction";
+inline constexpr char const* plate_rate = "Plate Rate";
+inline constexpr char const* slip_rate = "Slip Rate";
+inline constexpr char const* velocity = "Velocity"; // of the Type Prescribed Velocity
+} // namespace condition_entries
+
 // What all conditions of a deck share.
 struct ConditionContext
 {
@@ -83,6 +93,7 @@ struct BoundaryCondition
   std::optional<std::vector<double>> direction; // as the deck gives it
 
   bool liesAlongFault() const { return type->place != ConditionPlace::elsewhere; }
+  bool givesSlipRate() const { return isGiven(list, condition_entries::slip_rate); }
   bool isFaultInside() const { return type->isFault() && type->other_side.is_inside; }
 };
 

@@ -59,7 +59,7 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
     product += direction[d] * of_plates[d];
   }
   ASPERITY_REQUIRE(product >= std::sqrt(squares) * (1 - 1e-12),
-                   joinPath(condition.name, "Direction")
+                   joinPath(condition.name, condition_entries::direction)
                      << " is not that of " << plate.name
                      << ", which has a Plate Rate: its continuation slips in the same direction. "
                         "Give both the same.");
@@ -77,7 +77,7 @@ void addFault(BoundaryCondition const& condition, ConditionContext const& contex
                                   << "'. There can be several only if all are of the Type "
                                   << quotedAlternatives(faultKindsInside()) << ".");
   result.faults.push_back(condition.boundary);
-  if (isGiven(condition.list, "Slip Rate")) {
+  if (condition.givesSlipRate()) {
     result.given_slip.push_back(condition.boundary);
   }
   result.other_side = other_side;
@@ -91,10 +91,10 @@ template <int Dim>
 void prescribeSlipRate(BoundaryCondition const& condition, ConditionContext const& context,
                        BoundaryConditions<Dim>& result)
 {
-  ASPERITY_REQUIRE(isGiven(condition.list, "Slip Rate"),
-                   joinPath(condition.name, "Slip Rate")
+  ASPERITY_REQUIRE(condition.givesSlipRate(),
+                   joinPath(condition.name, condition_entries::slip_rate)
                      << " is missing: the rate at which the boundary slips, 0 if it is locked.");
-  auto const rate = fieldIfGiven(condition, "Slip Rate");
+  auto const rate = fieldIfGiven(condition, condition_entries::slip_rate);
   auto const* plates = platesAt(condition, result);
   auto const velocity = withoutPlates<Dim>(rate, plates, result.other_side.slip_factor);
   if (context.components < 3) {

@@ -15,19 +15,19 @@ PlateRate plateRateOf(BoundaryCondition const& condition, int components)
   result.name = condition.name;
   result.boundary = condition.boundary;
   auto const& direction = condition.direction;
-  if (!isGiven(condition.list, "Plate Rate")) {
-    ASPERITY_REQUIRE(!direction || isGiven(condition.list, "Slip Rate"),
-                     joinPath(condition.name, "Direction")
+  if (!isGiven(condition.list, condition_entries::plate_rate)) {
+    ASPERITY_REQUIRE(!direction || condition.givesSlipRate(),
+                     joinPath(condition.name, condition_entries::direction)
                        << " has no effect without a Plate Rate or a Slip Rate. Remove it.");
     return result;
   }
-  result.rate =
-    std::make_shared<Field>(steadyField(condition.list, "Plate Rate", condition.name, {}));
+  result.rate = std::make_shared<Field>(
+    steadyField(condition.list, condition_entries::plate_rate, condition.name, {}));
   ASPERITY_REQUIRE(!result.rate->isDataset(),
-                   joinPath(condition.name, "Plate Rate")
+                   joinPath(condition.name, condition_entries::plate_rate)
                      << " is a dataset. Give a number or an expression in x, y and z.");
   if (components < 3) {
-    ASPERITY_REQUIRE(!direction, joinPath(condition.name, "Direction")
+    ASPERITY_REQUIRE(!direction, joinPath(condition.name, condition_entries::direction)
                                    << " has no effect: in two dimensions plates move along "
                                       "the fault's tangent. Remove it.");
     return result;
@@ -36,7 +36,7 @@ PlateRate plateRateOf(BoundaryCondition const& condition, int components)
   if (direction) {
     auto const& given = *direction;
     ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
-                     joinPath(condition.name, "Direction")
+                     joinPath(condition.name, condition_entries::direction)
                        << " needs three numbers, not all zero: where the plate rate points.");
     result.direction = given;
   }
@@ -54,8 +54,8 @@ std::vector<double> rateAt(PlateRate const& plate, Mesh<Dim> const& mesh,
   if (plate.direction.empty()) {
     return {rate};
   }
-  auto along =
-    directionAlongFault(plate.direction, frames, node, joinPath(plate.name, "Direction"));
+  auto along = directionAlongFault(plate.direction, frames, node,
+                                   joinPath(plate.name, condition_entries::direction));
   for (double& component : along) {
     component *= rate;
   }

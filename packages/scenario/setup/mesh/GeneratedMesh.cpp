@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/mesh/Generators.hpp"
+#include "scenario/setup/mesh/MeshSettings.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -31,7 +32,7 @@ mesh::VertexLimit vertexLimit(GeneratedMesh const& type, int most_vertices)
   return {static_cast<double>(most_vertices),
           "Is one of the entries of " + joinPath(mesh_path, type.name) +
             " missing, or not in m: " + type.sizes + "? A larger mesh is made where " +
-            joinPath(mesh_path, "Most Vertices") + " allows it."};
+            joinPath(mesh_path, mesh_entries::most_vertices) + " allows it."};
 }
 } // namespace
 

@@ -37,7 +37,7 @@ Entries<MeshSettings> meshEntries()
       "Selects the shape of the body. In two dimensions it is the analogue wedge (thesis A.1) or a "
       "rectangle; in three dimensions the wedge with a depth along z or a box; in both a mesh from "
       "a file.")
-    .integer("Most Vertices", &S::most_vertices, Range::atLeast(3),
+    .integer(mesh_entries::most_vertices, &S::most_vertices, Range::atLeast(3),
              "A mesh that is made here, and not read from a file, has at most this number of "
              "vertices, before 'Refinements'; a larger one is refused before it is made. This "
              "finds a forgotten extent or cell size.")

@@ -16,6 +16,7 @@ namespace mesh_entries
 {
 inline constexpr char const* file = "File"; // a value of `Type`, with its list
 inline constexpr char const* file_name = "File Name";
+inline constexpr char const* most_vertices = "Most Vertices";
 inline constexpr char const* refinements = "Refinements";
 inline constexpr char const* flat_cells = "Flat Cells Beside";
 inline constexpr char const* regions = "Regions";

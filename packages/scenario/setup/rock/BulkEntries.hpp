@@ -3,6 +3,7 @@
 // Names of entries of the deck's list `Bulk` that its declaration and its readers share.
 namespace asperity::scenario::bulk_entries
 {
+inline constexpr char const* density = "Density";
 // Elastic constants of which any two determine the others.
 inline constexpr char const* bulk_modulus = "Bulk Modulus";
 inline constexpr char const* shear_modulus = "Shear Modulus";

@@ -18,7 +18,6 @@ namespace
 constexpr char const* radiation_damping = "Radiation Damping";
 constexpr char const* dynamics_entry = "Dynamics";
 constexpr char const* quasi_dynamic = "Quasi-dynamic";
-constexpr char const* direction_entry = "Gravity Direction";
 
 // The words of `Model` and the components of the displacement.
 Entries<BulkSettings>::Words<int> models()
@@ -57,7 +56,8 @@ Entries<BulkSettings> bulkEntries()
                    "through it. Quasi-dynamic: it has no mass, and a radiation damping takes from "
                    "the fault the energy that waves would carry away.")
     .others()
-    .field("Density", required, "kg/m^3", Range::positive(), "The material has this mass density.")
+    .field(bulk_entries::density, required, "kg/m^3", Range::positive(),
+           "The material has this mass density.")
     .field(bulk_entries::bulk_modulus, optional, "Pa", Range::positive(),
            "The material has this bulk modulus. Plane strain and solids need exactly two of bulk "
            "modulus, shear modulus and Poisson's ratio, or both wave speeds instead.")
@@ -76,7 +76,7 @@ Entries<BulkSettings> bulkEntries()
   entries
     .real("Gravitational Acceleration", &S::gravity, "m/s^2", Range::atLeast(0),
           "Gravity accelerates the body by this value. An antiplane model has no gravity.")
-    .realArray(direction_entry, &S::gravity_direction, optional, "-", Range::any(),
+    .realArray(gravity_direction_entry, &S::gravity_direction, optional, "-", Range::any(),
                "Gravity points in the direction of this vector in x, y and, in three dimensions, z "
                "(0 if left out). Its length has no effect. If it is left out, gravity points down: "
                "against Output / Up or, without that, against the axis that is nearest to the "
@@ -117,7 +117,7 @@ RCP<const ParameterList> bulkParameters() { return bulkEntries().list(); }
 BulkSettings BulkSettings::from(ParameterList const& list)
 {
   auto settings = bulkEntries().read(list, bulk_path);
-  if (isLeftOut(list, direction_entry)) {
+  if (isLeftOut(list, gravity_direction_entry)) {
     settings.gravity_direction.reset();
   }
   return settings;
@@ -193,9 +193,9 @@ std::array<double, Dim> gravity(BulkSettings const& bulk, std::array<double, 3> 
     square += component * component;
   }
   ASPERITY_REQUIRE(square > 0 && direction.size() >= 2 && direction.size() <= Dim,
-                   bulk_path << " / Gravity Direction = " << direction.toString()
-                             << " is no direction. Give two numbers"
-                             << (Dim == 3 ? " or three" : "") << ", not all zero.");
+                   joinPath(bulk_path, gravity_direction_entry)
+                     << " = " << direction.toString() << " is no direction. Give two numbers"
+                     << (Dim == 3 ? " or three" : "") << ", not all zero.");
   for (int d = 0; d < direction.size(); ++d) {
     result[d] = acceleration * direction[d] / std::sqrt(square);
   }

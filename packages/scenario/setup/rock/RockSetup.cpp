@@ -285,7 +285,7 @@ Rock makeRock(BulkSettings const& bulk, ParameterList const& list, Mesh<Dim> con
 {
   auto const& regions = mesh.region_names;
   Elasticity elasticity(bulk, list, regions);
-  CellField density(steadyField(list, "Density", bulk_path, regions));
+  CellField density(steadyField(list, bulk_entries::density, bulk_path, regions));
   auto const& own_laws = list.sublist(bulk_entries::regions);
   std::vector<bool> of_main_law(regions.size(), true);
   std::map<std::size_t, LawOfRock> own;
@@ -331,7 +331,7 @@ std::vector<fem::Material> elasticRockAt(BulkSettings const& bulk, ParameterList
                                          std::vector<std::array<double, 3>> const& places)
 {
   Elasticity elasticity(bulk, list, mesh.region_names);
-  CellField density(steadyField(list, "Density", bulk_path, mesh.region_names));
+  CellField density(steadyField(list, bulk_entries::density, bulk_path, mesh.region_names));
   elasticity.read(mesh);
   density.read(mesh);
   std::vector<fem::Material> materials(cells.size());

@@ -34,7 +34,7 @@ struct PrescribedVelocity
   {
     Entries<Ramp> entries({}, list);
     entries.others()
-      .field("Velocity", optional, "m/s", Range::any(),
+      .field(condition_entries::velocity, optional, "m/s", Range::any(),
              "Prescribed Velocity: says how fast the boundary moves in that direction; it is at "
              "rest if this is left out.")
       .withoutDatasets();
@@ -49,7 +49,7 @@ struct PrescribedVelocity
   static void add(BoundaryCondition const& condition, ConditionContext const& context,
                   BoundaryConditions<Dim>& result)
   {
-    auto const given = fieldIfGiven(condition, "Velocity");
+    auto const given = fieldIfGiven(condition, condition_entries::velocity);
     auto const field = given ? given : std::make_shared<const Field>(Field::constant(0));
     ParameterList declared;
     const double duration =
