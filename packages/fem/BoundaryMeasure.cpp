@@ -4,8 +4,8 @@
 #include "base/parallel/Reductions.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/faults/Facing.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -48,23 +48,8 @@ template <int Dim>
 NormalIntegral integrateNormal(Mesh<Dim> const& mesh, std::vector<std::string> const& boundaries,
                                Communicator const& communicator)
 {
-  std::array<double, 4> sums{};
-  for (auto const& name : boundaries) {
-    for (auto const& facet : mesh::boundaryFacets(mesh, name)) {
-      auto const corners = mesh::corners(mesh, facet);
-      auto const normal = mesh::areaNormal(corners);
-      // Every vertex of a facet is owned by one rank, which has the facet.
-      const auto owned = std::count_if(facet.begin(), facet.end(),
-                                       [&](int vertex) { return vertex < mesh.num_owned; });
-      const double share = static_cast<double>(owned) / Dim;
-      for (int d = 0; d < Dim; ++d) {
-        sums[d] += share * normal[d];
-      }
-      sums[3] += share * mesh::facetMeasure(corners);
-    }
-  }
-  sums = sumOverRanks(sums, communicator);
-  return {{sums[0], sums[1], sums[2]}, sums[3]};
+  auto const facing = mesh::facingOf(mesh, boundaries, communicator);
+  return {facing.normal, facing.measure};
 }
 
 template NormalIntegral integrateNormal(Mesh<2> const&, std::vector<std::string> const&,

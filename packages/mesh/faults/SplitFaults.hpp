@@ -19,9 +19,8 @@ enum class BranchEnd
 // Sides: along a fault, also where a fault of another name continues it, all facets have the same
 // orientation, and the plus side is the upper one: the mean of the unit normals from minus to plus,
 // weighted by area, has n_y > 0; or if |n_y| < 1e-6 |n|, n_x > 0; or else n_z > 0. Plus is the
-// hanging wall of a dipping fault and the side with larger x of a vertical one. Where that mean is
-// shorter than 0.05 and the fault lies around its centre, it encloses something, such as a ring, a
-// cylinder or a sphere, whole or almost: there plus is the outside.
+// hanging wall of a dipping fault and the side with larger x of a vertical one. Of a ring, a
+// cylinder or a sphere, whole or almost (Facing::isRing), plus is the outside.
 //
 // Copies: if the facets of the faults divide the cells at a vertex into two sets, the cells of the
 // plus side get a copy of the vertex, plus, and all others keep the vertex, minus. If they do not

@@ -9,7 +9,7 @@
 #include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
-#include "scenario/setup/rock/StressAtStart.hpp"
+#include "scenario/setup/rock/StressMisfit.hpp"
 #include "scenario/setup/rock/VolumetricSetup.hpp"
 
 #include <Tpetra_Vector.hpp>

@@ -2,7 +2,9 @@
 
 #include "base/Errors.hpp"
 #include "base/Text.hpp"
-#include "mesh/SimplexGeometry.hpp"
+#include "io/OutputSet.hpp"
+#include "scenario/setup/DeckDirections.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +14,6 @@ namespace asperity::scenario
 {
 namespace
 {
-using Direction = std::array<double, 3>;
-
 constexpr double near_axis = 0.766; // cosine of 40 degrees
 constexpr double agreement = 0.5;   // cosine of 60 degrees, more than any slope
 constexpr double tilt = 0.866;      // cosine of 30 degrees, of gravity in a tilted sandbox
@@ -22,32 +22,30 @@ constexpr double tilt = 0.866;      // cosine of 30 degrees, of gravity in a til
 constexpr double faces = 0.5;
 constexpr double faces_one_way = 0.9;
 
-double length(Direction const& v) { return std::sqrt(mesh::dot<3>(v, v)); }
-
-std::optional<Direction> unit(Direction v)
+std::optional<Vector3> unit(Vector3 v)
 {
   const double size = length(v);
   if (!(size > 0)) {
     return std::nullopt;
   }
-  for (double& component : v) {
+  for (double& component : v) { // not times 1 / size, which rounds
     component /= size;
   }
   return v;
 }
 
 // As a unit vector. Empty if it is not given, or is zero, which is refused where it is used.
-std::optional<Direction> given(std::optional<std::vector<double>> const& numbers)
+std::optional<Vector3> given(std::optional<std::vector<double>> const& numbers)
 {
   if (!numbers) {
     return std::nullopt;
   }
-  Direction v{};
+  Vector3 v{};
   std::copy_n(numbers->begin(), std::min<std::size_t>(3, numbers->size()), v.begin());
   return unit(v);
 }
 
-Direction opposite(Direction v)
+Vector3 opposite(Vector3 v)
 {
   for (double& component : v) {
     component = 0. - component;
@@ -56,11 +54,11 @@ Direction opposite(Direction v)
 }
 
 // The axis that is nearest to a unit vector, in either direction, or the vector itself.
-Direction snapped(Direction const& v)
+Vector3 snapped(Vector3 const& v)
 {
   for (int d = 0; d < 3; ++d) {
     if (std::abs(v[d]) >= near_axis) {
-      Direction axis{};
+      Vector3 axis{};
       axis[d] = v[d] > 0 ? 1 : -1;
       return axis;
     }
@@ -69,7 +67,7 @@ Direction snapped(Direction const& v)
 }
 
 // "{0, 0, -1}"
-std::string entryText(Direction const& v, int dimension)
+std::string entryText(Vector3 const& v, int dimension)
 {
   std::string text;
   for (int d = 0; d < dimension; ++d) {
@@ -79,69 +77,89 @@ std::string entryText(Direction const& v, int dimension)
 }
 
 // The outward normal, if it has this part of the surface's measure.
-std::optional<Direction> facing(OuterSurface const& surface, double part)
+std::optional<Vector3> facing(OuterSurface const& surface, double part)
 {
   auto const& [normal, measure] = surface.normal;
   return length(normal) > part * measure ? unit(normal) : std::nullopt;
 }
 
-std::string degreesBetween(Direction const& a, Direction const& b)
+std::string degreesBetween(Vector3 const& a, Vector3 const& b)
 {
-  const double cosine = std::max(-1., std::min(1., mesh::dot<3>(a, b)));
+  const double cosine = std::max(-1., std::min(1., dot(a, b)));
   return formatShort(std::round(std::acos(cosine) * 180 / M_PI)) + " degrees";
 }
-} // namespace
 
-Upright uprightOf(BulkSettings const& bulk, std::optional<std::vector<double>> const& given_up,
-                  int dimension, OuterSurface const& surface, OuterSurface const& open)
+// The directions that the deck gives, and that in which the free surface faces.
+struct Known
 {
-  auto const names = quotedNames(surface.boundaries);
-  const bool has_gravity = bulk.hasGravity();
-  auto const up = dimension == 3 ? given(given_up) : std::nullopt;
-  auto const down = has_gravity ? given(bulk.gravity_direction) : std::nullopt;
-  auto const outward = facing(surface, faces);
-  const std::string entry_up = "Asperity / Output / Up",
-                    entry_down = "Asperity / Bulk / Gravity Direction";
-  if (outward && up) {
-    ASPERITY_REQUIRE(mesh::dot<3>(*outward, *up) >= agreement,
-                     entry_up << " = " << entryText(*up, dimension) << ", but the free surface "
-                              << names << " faces " << entryText(*outward, dimension) << ", "
-                              << degreesBetween(*outward, *up)
-                              << " from it (at most 60 are allowed). Give "
-                              << entryText(snapped(*outward), dimension)
-                              << ", or leave it out: up then follows from the free surface.");
+  int dimension;
+  std::string surface; // its names
+  std::optional<Vector3> up, outward, down;
+};
+
+std::string entryOfUp() { return joinPath(output_path, io::DirectionUp::entry); }
+std::string entryOfDown() { return joinPath(bulk_path, gravity_direction_entry); }
+
+void requireUpOutOfSurface(Known const& known)
+{
+  auto const& [dimension, surface, up, outward, down] = known;
+  if (!outward || !up) {
+    return;
   }
-  if (outward && down) {
-    auto const against = opposite(*down);
-    ASPERITY_REQUIRE(
-      mesh::dot<3>(*outward, against) >= agreement,
-      entry_down << " = " << entryText(*down, dimension) << ", but the free surface " << names
-                 << " faces " << entryText(*outward, dimension) << ", "
-                 << degreesBetween(*outward, against)
-                 << " from the opposite (at most 60 are allowed): the weight of the rock would act "
-                    "along its surface. Give "
-                 << entryText(opposite(snapped(*outward)), dimension)
-                 << ", or leave it out: gravity then points away from the free surface.");
+  ASPERITY_REQUIRE(dot(*outward, *up) >= agreement,
+                   entryOfUp() << " = " << entryText(*up, dimension) << ", but the free surface "
+                               << surface << " faces " << entryText(*outward, dimension) << ", "
+                               << degreesBetween(*outward, *up)
+                               << " from it (at most 60 are allowed). Give "
+                               << entryText(snapped(*outward), dimension)
+                               << ", or leave it out: up then follows from the free surface.");
+}
+
+void requireDownIntoSurface(Known const& known)
+{
+  auto const& [dimension, surface, up, outward, down] = known;
+  if (!outward || !down) {
+    return;
   }
-  if (up && down) {
-    ASPERITY_REQUIRE(mesh::dot<3>(*up, opposite(*down)) >= tilt,
-                     entry_down << " = " << entryText(*down, dimension) << ", but " << entry_up
-                                << " = " << entryText(*up, dimension) << " is "
-                                << degreesBetween(*up, opposite(*down))
-                                << " from the opposite of it (at most 30 are allowed). Leave one "
-                                   "of them out: it then follows from the other.");
+  auto const against = opposite(*down);
+  ASPERITY_REQUIRE(
+    dot(*outward, against) >= agreement,
+    entryOfDown() << " = " << entryText(*down, dimension) << ", but the free surface " << surface
+                  << " faces " << entryText(*outward, dimension) << ", "
+                  << degreesBetween(*outward, against)
+                  << " from the opposite (at most 60 are allowed): the weight of the rock would "
+                     "act along its surface. Give "
+                  << entryText(opposite(snapped(*outward)), dimension)
+                  << ", or leave it out: gravity then points away from the free surface.");
+}
+
+void requireDownAgainstUp(Known const& known)
+{
+  auto const& [dimension, surface, up, outward, down] = known;
+  if (!up || !down) {
+    return;
   }
-  auto const of_open = dimension == 3 && has_gravity ? facing(open, faces_one_way) : std::nullopt;
+  ASPERITY_REQUIRE(dot(*up, opposite(*down)) >= tilt,
+                   entryOfDown() << " = " << entryText(*down, dimension) << ", but " << entryOfUp()
+                                 << " = " << entryText(*up, dimension) << " is "
+                                 << degreesBetween(*up, opposite(*down))
+                                 << " from the opposite of it (at most 30 are allowed). Leave one "
+                                    "of them out: it then follows from the other.");
+}
+
+// open: the boundaries that nothing holds, where they face one way.
+Upright firstOf(Known const& known, std::optional<Vector3> const& of_open, OuterSurface const& open)
+{
   Upright result;
-  result.is_known = up || outward || down || of_open;
-  if (up) {
-    result.up = *up;
+  result.is_known = known.up || known.outward || known.down || of_open;
+  if (known.up) {
+    result.up = *known.up;
     result.reason = "as Output / Up says";
-  } else if (outward) {
-    result.up = snapped(*outward);
-    result.reason = "where the free surface " + names + " faces";
-  } else if (down) {
-    result.up = snapped(opposite(*down));
+  } else if (known.outward) {
+    result.up = snapped(*known.outward);
+    result.reason = "where the free surface " + known.surface + " faces";
+  } else if (known.down) {
+    result.up = snapped(opposite(*known.down));
     result.reason = "against gravity";
   } else if (of_open) {
     result.up = snapped(*of_open);
@@ -149,8 +167,23 @@ Upright uprightOf(BulkSettings const& bulk, std::optional<std::vector<double>> c
   } else {
     result.reason = "by default";
   }
-  result.down = down ? *down : opposite(result.up);
+  result.down = known.down ? *known.down : opposite(result.up);
   return result;
+}
+} // namespace
+
+Upright uprightOf(BulkSettings const& bulk, std::optional<std::vector<double>> const& given_up,
+                  int dimension, OuterSurface const& surface, OuterSurface const& open)
+{
+  const bool has_gravity = bulk.hasGravity();
+  const Known known{dimension, quotedNames(surface.boundaries),
+                    dimension == 3 ? given(given_up) : std::nullopt, facing(surface, faces),
+                    has_gravity ? given(bulk.gravity_direction) : std::nullopt};
+  requireUpOutOfSurface(known);
+  requireDownIntoSurface(known);
+  requireDownAgainstUp(known);
+  return firstOf(known, dimension == 3 && has_gravity ? facing(open, faces_one_way) : std::nullopt,
+                 open);
 }
 
 std::optional<Warning> warnOfUp(BulkSettings const& bulk, int dimension, Upright const& upright)

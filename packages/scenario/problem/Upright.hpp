@@ -2,9 +2,9 @@
 
 #include "base/Warning.hpp"
 #include "fem/BoundaryMeasure.hpp"
+#include "scenario/setup/Vector3.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +14,10 @@ namespace asperity::scenario
 // Where up is, as the deck and the mesh say.
 struct Upright
 {
-  std::array<double, 3> up{0, 1, 0};    // unit vector along the axes
-  std::array<double, 3> down{0, -1, 0}; // unit vector: gravity, which may be inclined to `up`
-  std::string reason;                   // for the log: "where the free surface 'top' faces"
-  bool is_known = false;                // by the deck or by a surface, or +y by default
+  Vector3 up{0, 1, 0};    // unit vector along the axes
+  Vector3 down{0, -1, 0}; // unit vector: gravity, which may be inclined to `up`
+  std::string reason;     // for the log: "where the free surface 'top' faces"
+  bool is_known = false;  // by the deck or by a surface, or +y by default
 };
 
 // A part of the outer surface of the body: its boundaries, and the integral of their outward

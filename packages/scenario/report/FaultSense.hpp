@@ -1,10 +1,8 @@
 #pragma once
 
-#include "scenario/problem/Problem.hpp"
+#include "scenario/setup/Vector3.hpp"
 
-#include <array>
 #include <string>
-#include <vector>
 
 namespace asperity::scenario
 {
@@ -12,16 +10,21 @@ namespace asperity::scenario
 // where the fault is a boundary of it.
 struct FaultSides
 {
-  std::array<double, 3> plus{};
+  Vector3 plus{};
   int dimension = 2;  // of space
   int components = 2; // of the displacement
-  std::array<double, 3> up{0, 1, 0};
+  Vector3 up{0, 1, 0};
   bool is_section = false; // the plane is upright, as gravity acts in it; else it may be a map, too
   // In plane strain: the mean tangent, along which slip is positive. If it is zero, the tangent
   // that follows from `plus` counts.
-  std::array<double, 3> tangent{};
-  std::array<double, 3> east{1, 0, 0}; // in space; its part at right angles to `up` counts
+  Vector3 tangent{};
+  Vector3 east{1, 0, 0}; // in space; its part at right angles to `up` counts
+
+  Vector3 slipTangent() const; // in plane strain
 };
+
+// "(0, -1)": a unit vector, to two digits.
+std::string directionText(Vector3 const& v, int dimension);
 
 // The sense of positive slip, v+ - v- [m/s], as geologists say it: "moves the plus side along +x,
 // down dip: a normal fault in a section, left lateral in a map".
@@ -43,21 +46,9 @@ StrikeAndDip strikeAndDip(FaultSides const& sides);
 
 // The rake of slip along a vector, of which the part along the fault counts: the angle in degrees,
 // in (-180, 180], from the strike to the motion of the hanging wall, 90 up dip. Not for level ones.
-double rakeOf(FaultSides const& sides, std::array<double, 3> const& slip);
+double rakeOf(FaultSides const& sides, Vector3 const& slip);
 
 // "rake 180, right lateral", "rake 45, left lateral and a thrust"; nothing if no part of the vector
 // is along the fault, or if the fault is level.
-std::string rakeInWords(FaultSides const& sides, std::array<double, 3> const& slip);
-
-// A line that says where up is, where it matters; for each fault a line that says where its plus
-// side is and what slip is positive, in space with its strike, its dip and the rake of a positive
-// shear traction or of prescribed slip, and one for the plates' motion along it, if the deck has
-// one. Collective.
-template <int Dim>
-std::vector<std::string> describeSense(Problem<Dim> const& problem);
-
-// Whether positive slip has the same sense on all faults, as files for SEAS and SCEC take it.
-// Collective.
-template <int Dim>
-bool haveOneSense(Problem<Dim> const& problem);
+std::string rakeInWords(FaultSides const& sides, Vector3 const& slip);
 } // namespace asperity::scenario

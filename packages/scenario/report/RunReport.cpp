@@ -10,7 +10,7 @@
 #include "scenario/checks/ToleranceCheck.hpp"
 #include "scenario/problem/Upright.hpp"
 #include "scenario/report/Environment.hpp"
-#include "scenario/report/FaultSense.hpp"
+#include "scenario/report/FaultDescription.hpp"
 #include "scenario/report/ModelSize.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 #include "scenario/setup/mesh/GeneratedMesh.hpp"

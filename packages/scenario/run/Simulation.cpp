@@ -5,7 +5,7 @@
 #include "base/program/WorkTimers.hpp"
 #include "catalogue/FaultFacts.hpp"
 #include "catalogue/stress/CoulombPlanes.hpp"
-#include "scenario/report/FaultSense.hpp"
+#include "scenario/report/FaultDescription.hpp"
 #include "scenario/report/ReceiverCost.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 

@@ -1,6 +1,7 @@
 #include "scenario/setup/CheckpointSetup.hpp"
 
 #include "parameters/Entries.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 namespace asperity::scenario
 {
@@ -26,6 +27,6 @@ void CheckpointIntervals::declare(ParameterList& output) { entriesIn(output); }
 CheckpointIntervals CheckpointIntervals::from(ParameterList const& output)
 {
   ParameterList declared;
-  return entriesIn(declared).read(output, "Asperity / Output");
+  return entriesIn(declared).read(output, output_path);
 }
 } // namespace asperity::scenario

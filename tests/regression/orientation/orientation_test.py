@@ -63,6 +63,21 @@ class SeveralFaults(unittest.TestCase):
         self.assertIn("Fault 'ring': its plus side is the outside; positive slip runs "
                       "counterclockwise, seen against +z.", lines_of(SQUARE, *ring))
 
+    def test_an_s_encloses_nothing(self):
+        """Its strokes face each other, and the steps between them have an upper side."""
+        strokes = ("abs(x - 0.05) < 1e-6 && y > 0.2499 && y < 0.5001",
+                   "abs(y - 0.25) < 1e-6 && x > 0.0399 && x < 0.0501",
+                   "abs(x - 0.04) < 1e-6 && y > 0.2499 && y < 0.7501",
+                   "abs(y - 0.75) < 1e-6 && x > 0.0299 && x < 0.0401",
+                   "abs(x - 0.03) < 1e-6 && y > 0.4999 && y < 0.7501")
+        bent = settings({"Mesh/Rectangle/Width": 0.08,
+                         "Mesh/Rectangle/Cells X": 8, "Mesh/Rectangle/Cells Y": 8,
+                         "Mesh/Faults/bent": " || ".join(f"({stroke})" for stroke in strokes),
+                         f"{FAULT}/Boundary": "bent", f"{FAULT}/Type": "Two-Sided Fault"})
+        line = next(line for line in lines_of(SQUARE, *bent) if line.startswith("Fault 'bent'"))
+        self.assertIn("its plus side lies towards (0, 1); positive slip moves it along (1, 0)",
+                      line)
+
     def test_text_files_take_one_sense(self):
         for name, changes, expected in (("one", (), 1), ("two", self.LEVEL, 0)):
             folder = asperity_run.run_to_end(f"sense_{name}", TWO_FAULTS, *changes)

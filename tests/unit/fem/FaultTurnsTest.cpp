@@ -19,12 +19,11 @@ namespace
 {
 constexpr double off = 1e-9;
 
-// Faults of these names in [0, 3] x [0, 2], along edges of its cells.
+// Faults of these names, along edges of cells.
 using Segments = std::map<std::string, std::array<Point<2>, 2>>;
 
-GlobalMesh<2> cut(Segments const& faults)
+GlobalMesh<2> cut(Segments const& faults, GlobalMesh<2> mesh)
 {
-  auto mesh = uniformRectangle(6, 4, 3, 2);
   std::vector<mesh::NamedCondition<2>> conditions;
   for (auto const& [name, ends] : faults) {
     auto const a = ends[0], b = ends[1];
@@ -41,9 +40,10 @@ GlobalMesh<2> cut(Segments const& faults)
 
 // The tangents at the nodes of a fault that slip, in all ranks together, as sums: each component,
 // and their number.
-std::array<double, 3> tangentsOf(Segments const& faults, std::string const& wanted)
+std::array<double, 3> tangentsOf(Segments const& faults, std::string const& wanted,
+                                 GlobalMesh<2> const& uncut = uniformRectangle(6, 4, 3, 2))
 {
-  auto const whole = cut(faults);
+  auto const whole = cut(faults, uncut);
   std::vector<std::string> names;
   for (auto const& fault : faults) {
     names.push_back(fault.first);
@@ -101,5 +101,25 @@ TEST(FaultTurns, GoOnWhereAnotherFaultContinues)
   EXPECT_GT(level[0], 0);
   EXPECT_LT(down[1], 0);
   EXPECT_GT(tangentsOf({{"down", bent.at("down")}, {"other", upright}}, "down")[1], 0) << "alone";
+}
+
+// Three upright strokes, of which the middle one is as long as the two others, and level steps of a
+// fortieth of the whole between them. It is no ring: the steps have a mean, and their sense is +x.
+TEST(FaultTurns, FollowTheMeanOfAnS)
+{
+  const Segments s = {{"left", {Point<2>{0.15, 2}, Point<2>{0.15, 3}}},
+                      {"lower", {Point<2>{0.2, 1}, Point<2>{0.25, 1}}},
+                      {"middle", {Point<2>{0.2, 1}, Point<2>{0.2, 3}}},
+                      {"right", {Point<2>{0.25, 1}, Point<2>{0.25, 2}}},
+                      {"upper", {Point<2>{0.15, 3}, Point<2>{0.2, 3}}}};
+  auto const strip = uniformRectangle(8, 8, 0.4, 4);
+  auto const left = tangentsOf(s, "left", strip), right = tangentsOf(s, "right", strip);
+  auto const middle = tangentsOf(s, "middle", strip);
+  EXPECT_GT(left[2], 0);
+  EXPECT_NEAR(left[1], left[2], 1e-12) << "towards the upper step";
+  EXPECT_GT(middle[2], 0);
+  EXPECT_NEAR(middle[1], -middle[2], 1e-12) << "from the upper to the lower step";
+  EXPECT_GT(right[2], 0);
+  EXPECT_NEAR(right[1], right[2], 1e-12) << "from the lower step";
 }
 } // namespace asperity::fem

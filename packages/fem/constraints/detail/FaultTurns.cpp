@@ -4,6 +4,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "fem/constraints/detail/ConditionNodes.hpp"
 #include "fem/constraints/detail/NodalBasis.hpp"
+#include "mesh/faults/Facing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,29 +39,30 @@ std::vector<int> meetings(Mesh<Dim> const& mesh, Boundaries const& names)
   return result;
 }
 
-// The integral over boundaries of their inward normal, and of its length [m].
+// The integral over boundaries of their inward normal [m^(Dim-1)].
 template <int Dim>
 std::vector<double> integralOfNormal(Mesh<Dim> const& mesh, Communicator const& communicator,
                                      Boundaries const& names)
 {
-  std::vector<double> sums(3, 0.);
+  std::vector<double> sums(2, 0.);
   for (auto const& name : names) {
     for (auto const& [node, normal] : inwardNormals(mesh, 2, {name})) {
       sums[0] += normal[0] / Dim;
       sums[1] += normal[1] / Dim;
-      sums[2] += std::hypot(normal[0], normal[1]) / Dim;
     }
   }
   return sumOverRanks(sums, communicator);
 }
 
 // 1 or -1. The tangents of a ring have no mean: they run counterclockwise, as plus is the outside.
-int turnFor(std::vector<double> const& normal)
+template <int Dim>
+int turnFor(Mesh<Dim> const& mesh, Communicator const& communicator, Boundaries const& names)
 {
-  constexpr double of_ring = 0.05; // of a mean of unit normals; as where sides are chosen
   constexpr int counterclockwise = -1;
+  auto const facing = mesh::facingOf(mesh, names, communicator);
+  auto const normal = integralOfNormal(mesh, communicator, names);
   const double size = std::hypot(normal[0], normal[1]);
-  if (size < of_ring * normal[2] || size == 0) {
+  if (facing.isRing() || !facing.hasMeanNormal() || size == 0) {
     return counterclockwise;
   }
   const std::vector<double> mean = {normal[0] / size, normal[1] / size};
@@ -96,7 +98,7 @@ void chooseTurns(Mesh<Dim> const& mesh, Communicator const& communicator,
         together.push_back(names[j]);
       }
     }
-    turns[names[i]] = turnFor(integralOfNormal(mesh, communicator, together));
+    turns[names[i]] = turnFor(mesh, communicator, together);
   }
   for (auto& condition : conditions) {
     if (condition.normal() == Normal::of_fault && turns.count(condition.boundary) > 0) {

@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "mesh/PointText.hpp"
 #include "mesh/SimplexGeometry.hpp"
+#include "mesh/faults/Facing.hpp"
 #include "mesh/faults/detail/Continuations.hpp"
 
 namespace asperity::mesh::detail
@@ -41,7 +42,7 @@ std::vector<FaultFacet<Dim>> collect(GlobalMesh<Dim> const& mesh, FacetTable<Dim
 }
 
 // Gives all facets of a connected set the same orientation, with normals that point out of the body
-// on the plus side: downwards or, of a set that encloses something, inwards.
+// on the plus side: downwards or, of a ring, inwards.
 template <int Dim>
 class Orientation
 {
@@ -190,26 +191,14 @@ private:
     return connected;
   }
 
-  // Plus is the upper side or, of a set that encloses something, the outside.
+  // Plus is the upper side or, of a ring, the outside.
   void choosePlus(std::vector<int> const& connected)
   {
-    Point<Dim> up{}, centre{}; // from minus to plus, times the area
-    double area = 0.0;
+    std::vector<std::array<Point<Dim>, Dim>> from_plus; // seen from the plus side
     for (int facet : connected) {
-      const auto points = corners(mesh_, facets_[facet].outward);
-      const auto normal = areaNormal(points);
-      const auto middle = centroid(points);
-      const double size = facetMeasure(points);
-      area += size;
-      for (int d = 0; d < Dim; ++d) {
-        up[d] -= normal[d];
-        centre[d] += size * middle[d];
-      }
+      from_plus.push_back(corners(mesh_, facets_[facet].outward));
     }
-    for (double& coordinate : centre) {
-      coordinate /= area;
-    }
-    if (isTurned(connected, centre, up, area)) {
+    if (isTurned(connected, facingOf<Dim>(from_plus))) {
       for (int facet : connected) {
         turn(facets_[facet]);
       }
@@ -217,33 +206,22 @@ private:
   }
 
   // Whether plus has to become minus.
-  bool isTurned(std::vector<int> const& connected, Point<Dim> const& centre, Point<Dim> const& up,
-                double area) const
+  bool isTurned(std::vector<int> const& connected, Facing const& from_plus) const
   {
-    constexpr double facing = 0.05;   // of a mean normal: below, parts of the set face each other
-    constexpr double enclosing = 0.1; // of the mean part of x - centre across the set, over |x|
-    const double length = std::sqrt(dot<Dim>(up, up));
-    if (length < facing * area) {
-      double outwards = 0.0, extent = 0.0; // from the centre towards plus
-      for (int facet : connected) {
-        const auto points = corners(mesh_, facets_[facet].outward);
-        const auto place = difference<Dim>(centroid(points), centre);
-        outwards -= dot<Dim>(place, areaNormal(points));
-        extent += facetMeasure(points) * std::sqrt(dot<Dim>(place, place));
-      }
-      if (std::abs(outwards) > enclosing * extent) {
-        return outwards < 0.0;
-      }
+    if (from_plus.isRing()) {
+      return from_plus.outwards > 0.0;
     }
-    ASPERITY_REQUIRE(length > 1e-10 * area,
+    ASPERITY_REQUIRE(from_plus.hasMeanNormal(),
                      where_ << ": fault '" << names_[facets_[connected.front()].fault]
                             << "' cannot be oriented: neither of its sides is the upper one or the "
                                "outer one. Give its parts different names, and separate them.");
+    auto const& down = from_plus.normal; // from plus to minus
+    const double length = std::sqrt(dot<3>(down, down));
     const int last = Dim - 1; // z in space, x in the plane
-    const int axis = std::abs(up[1]) >= 1e-6 * length   ? 1
-                     : std::abs(up[0]) >= 1e-6 * length ? 0
-                                                        : last;
-    return up[axis] < 0.0;
+    const int axis = std::abs(down[1]) >= 1e-6 * length   ? 1
+                     : std::abs(down[0]) >= 1e-6 * length ? 0
+                                                          : last;
+    return down[axis] > 0.0;
   }
 
   GlobalMesh<Dim> const& mesh_;

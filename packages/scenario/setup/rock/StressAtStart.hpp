@@ -1,11 +1,12 @@
 #pragma once
 
-#include "base/Warning.hpp"
-#include "fem/FaultSurface.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 #include "scenario/setup/NodalField.hpp"
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -33,20 +34,13 @@ public:
   // only the mean has diagonal entries.
   void append(CellPlace const& place, int components, fem::YieldingRock& rock) const;
 
+  // The components XX, XY, XZ, YY, YZ and ZZ of the list at nodes, (num_nodes) each [Pa].
+  using Components = std::array<std::vector<double>, 6>;
+  static Components atNodes(ParameterList const& list, FieldNodes const& nodes);
+  // Whether the list gives a component of the mean.
+  static bool givesMean(ParameterList const& list);
+
 private:
   std::vector<std::optional<CellField>> fields_; // of the components that are given
 };
-
-// A warning where the traction -sigma n of the rock beside the fault, by the deck's
-// `Initial Stress`, differs by more than 1 % from the deck's `Shear Traction`(num_nodes, T) [Pa] or
-// `Normal Stress` over more than half of where the fault slides beside rock that takes that stress;
-// an overstressed patch is smaller. Both are evaluated at the nodes, so that they agree to rounding
-// however coarse the mesh is. The normal stress counts if both lists give it, and not antiplane.
-// bulk, friction: the lists of the deck. components: of the displacement. nodes: those of the
-// surface. Collective.
-template <int Dim>
-std::optional<Warning>
-warnOfStressAtStart(ParameterList const& bulk, ParameterList const& friction, int components,
-                    Mesh<Dim> const& mesh, fem::YieldingRock const& rock, FieldNodes const& nodes,
-                    fem::FaultSurface const& surface, std::vector<double> const& shear_traction);
 } // namespace asperity::scenario
