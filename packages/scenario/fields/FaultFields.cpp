@@ -144,11 +144,10 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
                          RunView const& view)
 {
   auto const& laws = problem.laws.laws();
-  registerSample(
-    registry, view,
-    {laws.hasState(),
-     laws.hasFrictionLaw() || isGiven(problem.settings.lists.friction, "Normal Stress"),
-     laws.frictionLaw().state_variable});
+  registerSample(registry, view,
+                 {laws.hasState(),
+                  laws.hasFrictionLaw() || problem.settings.friction.gives_normal_stress,
+                  laws.frictionLaw().state_variable});
   registerState(registry, problem, view);
   registerAddedFields(registry, problem.model.initial, problem.model.fault, view);
   registerFaultConstants(registry, problem);

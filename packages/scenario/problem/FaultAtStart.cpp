@@ -34,7 +34,7 @@ std::vector<double> givenStress(NodalField const& field, FieldNodes const& nodes
 {
   auto const values = field.at(0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    ASPERITY_REQUIRE(values[i] >= 0, joinPath(friction_path, "Normal Stress")
+    ASPERITY_REQUIRE(values[i] >= 0, joinPath(friction_path, friction_entries::normal_stress)
                                        << " = " << values[i] << " at x = " << nodes.text(i)
                                        << ", t = 0, is outside [0, inf). Check the sign: "
                                           "compression is positive.");
@@ -97,10 +97,10 @@ NormalStressOfDeck makeNormalStress(SetupContext<Dim> const& context,
     return dynamics::NormalStress(
       toDevice(compression(values, factor), "asperity::scenario::normalStress"));
   };
-  if (!isGiven(friction, "Normal Stress")) {
+  if (!context.settings.friction.gives_normal_stress) {
     return {constant(static_stress), tensionAtStart(static_stress, *context.site.surface)};
   }
-  const NodalField given(friction, "Normal Stress", friction_path, nodes);
+  const NodalField given(friction, friction_entries::normal_stress, friction_path, nodes);
   auto const at_start = givenStress(given, nodes);
   if (!given.dependsOnTime()) {
     return {constant(at_start), {}};
@@ -217,8 +217,8 @@ FaultAtStart makeFault(SetupContext<Dim> const& context, std::vector<double> con
   dynamics::FaultLaws laws;
   laws.friction = settings.laws.friction;
   laws.friction_parameters = at_nodes->frictionParameters();
-  laws.cohesion =
-    toDevice(nodalValues(list, "Cohesion", friction_path, nodes), "asperity::scenario::cohesion");
+  laws.cohesion = toDevice(nodalValues(list, friction_entries::cohesion, friction_path, nodes),
+                           "asperity::scenario::cohesion");
   laws.state = settings.laws.state;
   laws.state_parameters = at_nodes->stateParameters();
   laws.radiation_damping = site.radiation_damping;

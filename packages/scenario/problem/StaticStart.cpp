@@ -17,8 +17,8 @@ template <int Dim>
 bool isStressGiven(SetupContext<Dim> const& context)
 {
   auto const& settings = context.settings;
-  return isGiven(settings.lists.friction, "Normal Stress") ||
-         !settings.friction.laws.hasFrictionLaw() || context.site.surface->numGlobalNodes() == 0;
+  return settings.friction.gives_normal_stress || !settings.friction.laws.hasFrictionLaw() ||
+         context.site.surface->numGlobalNodes() == 0;
 }
 } // namespace
 

@@ -94,7 +94,8 @@ std::string describeRake(FaultSides const& sides, Problem<Dim> const& problem,
 {
   auto const& given = problem.discretisation.boundary.given_slip;
   if (std::find(given.begin(), given.end(), fault) == given.end()) {
-    return rakeAlong(sides, problem.settings.friction.slip_direction, "Shear Traction");
+    return rakeAlong(sides, problem.settings.friction.slip_direction,
+                     friction_entries::shear_traction);
   }
   for (auto const& condition : problem.settings.conditions) {
     if (condition.boundary == fault && condition.givesSlipRate()) {

@@ -17,7 +17,7 @@ std::vector<double> const& slipDirection(FrictionSettings const& settings)
 {
   auto const& given = settings.slip_direction;
   ASPERITY_REQUIRE(given.size() == 3 && std::hypot(given[0], given[1], given[2]) > 0,
-                   joinPath(friction_path, "Slip Direction")
+                   joinPath(friction_path, friction_entries::slip_direction)
                      << " needs three numbers, not all zero: where the shear traction points.");
   return given;
 }
@@ -26,21 +26,22 @@ std::vector<double> const& slipDirection(FrictionSettings const& settings)
 ShearTraction::ShearTraction(FrictionSettings const& settings, ParameterList const& friction,
                              FieldNodes const& nodes, fem::FaultSurface const& surface,
                              fem::NodalFrames const& frames)
-    : size_(friction, "Shear Traction", friction_path, nodes)
+    : size_(friction, friction_entries::shear_traction, friction_path, nodes)
 {
   if (nodes.dimension == 2) {
     direction_.assign(surface.numNodes(), 1.);
     return;
   }
-  if (surface.numSliding() == 0 && friction.getEntry("Shear Traction").isDefault()) {
+  if (surface.numSliding() == 0 &&
+      friction.getEntry(friction_entries::shear_traction).isDefault()) {
     // No one asks for the direction, and the default need not lie along the fault.
     direction_.assign(static_cast<std::size_t>(surface.numNodes()) * surface.numTangents(), 0.);
     return;
   }
   auto const towards = slipDirection(settings);
   for (auto const& node : surface) {
-    auto const projected =
-      directionAlongFault(towards, frames, node, joinPath(friction_path, "Slip Direction"));
+    auto const projected = directionAlongFault(
+      towards, frames, node, joinPath(friction_path, friction_entries::slip_direction));
     direction_.insert(direction_.end(), projected.begin(), projected.end());
   }
 }

@@ -62,9 +62,9 @@ Entries<FrictionSettings> frictionEntries()
   auto& declare = entries.others();
   declareLaws(declare);
   declare
-    .field("Cohesion", 0., "Pa", Range::atLeast(0),
+    .field(friction_entries::cohesion, 0., "Pa", Range::atLeast(0),
            "The fault bears this shear stress even without normal stress.")
-    .field("Normal Stress", optional, "Pa", Range::any(),
+    .field(friction_entries::normal_stress, optional, "Pa", Range::any(),
            "The fault is under this normal stress, positive in compression. If it is left out, it "
            "follows from the static solution under gravity. Values that become negative after the "
            "start count as zero.");
@@ -81,12 +81,12 @@ Entries<FrictionSettings> frictionEntries()
     .real("Normal Stress Floor", &S::floor, "Pa", Range::atLeast(0),
           "The normal stress takes this value where it would fall below.")
     .others()
-    .field("Shear Traction", 0., "Pa", Range::any(),
+    .field(friction_entries::shear_traction, 0., "Pa", Range::any(),
            "This shear traction acts on the fault in addition to that of the deformation. It "
            "points along the tangent of the fault's frame, which is +x on a fault below the body, "
            "and in three dimensions along the slip direction.");
   entries.realArray(
-    "Slip Direction", &S::slip_direction, "-", Range::any(),
+    friction_entries::slip_direction, &S::slip_direction, "-", Range::any(),
     "In three dimensions the shear traction points along this vector, projected onto "
     "the fault. The length of the vector has no effect.");
   auto const& processes = dynamics::FaultProcessRegistry::instance();
@@ -103,6 +103,7 @@ FrictionSettings FrictionSettings::from(ParameterList const& list)
 {
   auto settings = frictionEntries().read(list, friction_path);
   settings.laws = LawChoice::from(list);
+  settings.gives_normal_stress = isGiven(list, friction_entries::normal_stress);
   return settings;
 }
 

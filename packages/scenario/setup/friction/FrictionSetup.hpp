@@ -14,6 +14,15 @@ namespace asperity::scenario
 // traction.
 RCP<const ParameterList> frictionParameters();
 
+// Names of its entries that its declaration and its readers share; all but the last are fields.
+namespace friction_entries
+{
+inline constexpr char const* cohesion = "Cohesion";
+inline constexpr char const* normal_stress = "Normal Stress"; // may be left out
+inline constexpr char const* shear_traction = "Shear Traction";
+inline constexpr char const* slip_direction = "Slip Direction";
+} // namespace friction_entries
+
 // The word of `Normal Stress Change` for friction that follows with a delay, and the entries of its
 // list: a field in slip [m] and one in time [s], of which one may be left out.
 inline constexpr char const* regularisation_list = "Prakash-Clifton";
@@ -25,6 +34,7 @@ inline constexpr char const* regularisation_time = "Time";
 struct FrictionSettings
 {
   LawChoice laws;
+  bool gives_normal_stress = false; // else it follows from the static solution
   double normal_stress_factor = 1;
   std::string change = "Fixed"; // of the normal stress
   double floor = 0;             // of the normal stress [Pa]

@@ -8,6 +8,7 @@
 #include "mesh/SimplexGeometry.hpp"
 #include "parameters/ParameterValue.hpp"
 #include "scenario/setup/DeckPaths.hpp"
+#include "scenario/setup/friction/FrictionSetup.hpp"
 #include "scenario/setup/rock/StressAtStart.hpp"
 
 #include <algorithm>
@@ -153,9 +154,9 @@ std::string worstOf(Differences const& mine, Communicator const& communicator)
   const double most = maxOverRanks(mine.largest, communicator);
   auto const first = firstRankWhere(most > 0 && mine.largest == most, communicator);
   auto const letters = gatherToAll(first == communicator.getRank()
-                                  ? std::vector<char>(mine.worst.begin(), mine.worst.end())
-                                  : std::vector<char>(),
-                                communicator);
+                                     ? std::vector<char>(mine.worst.begin(), mine.worst.end())
+                                     : std::vector<char>(),
+                                   communicator);
   return {letters.begin(), letters.end()};
 }
 } // namespace
@@ -175,12 +176,13 @@ warnOfStressAtStart(ParameterList const& bulk, ParameterList const& friction, in
   stresses.shear = shear_traction;
   stresses.normal.assign(surface.numNodes(), 0.);
   // An antiplane model takes the mean of the diagonal alone, which need not be the normal stress.
-  stresses.with_normal =
-    isGiven(friction, "Normal Stress") && components > 1 && StressAtStart::givesMean(list);
+  stresses.with_normal = isGiven(friction, friction_entries::normal_stress) && components > 1 &&
+                         StressAtStart::givesMean(list);
   onEveryRank(communicator, [&] {
     stresses.rock = StressAtStart::atNodes(list, nodes);
-    if (isGiven(friction, "Normal Stress")) {
-      stresses.normal = NodalField(friction, "Normal Stress", friction_path, nodes).at(0);
+    if (isGiven(friction, friction_entries::normal_stress)) {
+      stresses.normal =
+        NodalField(friction, friction_entries::normal_stress, friction_path, nodes).at(0);
     }
   });
   auto const mine = differencesOf(stresses, verticesOfYieldingRock(mesh, rock), nodes, surface);
