@@ -1,5 +1,6 @@
 #include "scenario/DeckDefaults.hpp"
 
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
@@ -21,18 +22,20 @@ bool isListOrMissing(ParameterList const& deck, char const* name)
 void chooseDefaultLaws(ParameterList& deck)
 {
   const bool has_friction =
-    deck.isSublist("Boundary Conditions") && haveFriction(deck.sublist("Boundary Conditions"));
+    deck.isSublist(deck_lists::conditions) && haveFriction(deck.sublist(deck_lists::conditions));
   // A fault with friction needs the list, which is not made here.
-  if (has_friction ? deck.isSublist("Friction") : isListOrMissing(deck, "Friction")) {
-    chooseLaws(deck.sublist("Friction"), has_friction);
+  if (has_friction ? deck.isSublist(deck_lists::friction)
+                   : isListOrMissing(deck, deck_lists::friction)) {
+    chooseLaws(deck.sublist(deck_lists::friction), has_friction);
   }
 }
 
 void chooseDefaultScheme(ParameterList& deck)
 {
-  constexpr char const* list = "Time Stepping";
+  constexpr char const* list = deck_lists::time;
   constexpr char const* entry = time_entries::scheme;
-  const bool is_quasi_dynamic = deck.isSublist("Bulk") && choosesQuasiDynamic(deck.sublist("Bulk"));
+  const bool is_quasi_dynamic =
+    deck.isSublist(deck_lists::bulk) && choosesQuasiDynamic(deck.sublist(deck_lists::bulk));
   if (is_quasi_dynamic && isListOrMissing(deck, list) && !deck.sublist(list).isParameter(entry)) {
     deck.sublist(list).setEntry(entry, Teuchos::ParameterEntry(std::string(massless_scheme), true));
   }

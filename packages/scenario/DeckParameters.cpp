@@ -6,6 +6,7 @@
 #include "scenario/deck/Names.hpp"
 #include "scenario/deck/Tables.hpp"
 #include "scenario/setup/CheckpointSetup.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/InitialSetup.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 #include "scenario/setup/TimeSetup.hpp"
@@ -35,22 +36,23 @@ RCP<const ParameterList> deckParameters()
       .openSublist(names_list, nameParameters(), meaningOfNames())
       .openSublist(tables_list, tableParameters(), meaningOfTables())
       .sublist(
-        "Mesh", meshParameters(),
+        deck_lists::mesh, meshParameters(),
         "This list says which region of space the body fills and how it is divided into cells.")
-      .sublist("Bulk", bulkParameters(),
+      .sublist(deck_lists::bulk, bulkParameters(),
                "This list describes the material of the body and its gravity.")
-      .sublist("Friction", frictionParameters(),
+      .sublist(deck_lists::friction, frictionParameters(),
                "This list describes friction on the fault and the stress that the fault bears.")
-      .openSublist("Boundary Conditions", boundaryParameters(),
+      .openSublist(deck_lists::conditions, boundaryParameters(),
                    "Each list in here, of any name, is one condition on one boundary.")
-      .sublist("Initial State", initialStateParameters(),
+      .sublist(deck_lists::initial, initialStateParameters(),
                "This list describes the state in which the run starts.")
-      .sublist("Time Stepping", timeParameters(), meaningOfTime())
-      .sublist("Coupling", dynamics::CouplingSettings::validParameters(),
+      .sublist(deck_lists::time, timeParameters(), meaningOfTime())
+      .sublist(deck_lists::coupling, dynamics::CouplingSettings::validParameters(),
                "This list controls the fixed-point iteration between rate and state within a step.")
-      .sublist("TNNMG", solverParameters(),
+      .sublist(deck_lists::solver, solverParameters(),
                "This list controls TNNMG, the solver of the rate problems.")
-      .sublist("Output", outputParameters(), "This list selects what the run writes to files.")
+      .sublist(deck_lists::output, outputParameters(),
+               "This list selects what the run writes to files.")
       .list();
   list->setName("Asperity");
   return list;

@@ -9,6 +9,7 @@
 #include "parameters/fields/TableFile.hpp"
 #include "parameters/fields/VertexDataset.hpp"
 #include "scenario/deck/Tables.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
@@ -123,10 +124,10 @@ io::Fingerprint fingerprint(ParameterList const& deck, Mesh<Dim> const& mesh,
                             Communicator const& communicator)
 {
   ParameterList relevant(deck);
-  relevant.remove("Output");
-  relevant.remove("TNNMG");
-  relevant.remove("Coupling");
-  auto& time = relevant.sublist("Time Stepping");
+  relevant.remove(deck_lists::output);
+  relevant.remove(deck_lists::solver);
+  relevant.remove(deck_lists::coupling);
+  auto& time = relevant.sublist(deck_lists::time);
   for (auto const* name : {time_entries::final_time, time_entries::smallest_step}) {
     time.remove(name, false);
   }

@@ -2,6 +2,7 @@
 
 #include "io/OutputSet.hpp"
 #include "scenario/setup/DeckDirections.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 #include <utility>
 
@@ -9,18 +10,20 @@ namespace asperity::scenario
 {
 DeckSettings DeckSettings::from(ParameterList const& deck)
 {
-  DeckLists lists{deck.sublist("Bulk"), deck.sublist("Friction"), deck.sublist("Initial State")};
-  auto time = TimeSettings::from(deck.sublist("Time Stepping"));
-  auto const coupling = dynamics::CouplingSettings::from(deck.sublist("Coupling"), time.tolerance);
-  auto const& output = deck.sublist("Output");
+  DeckLists lists{deck.sublist(deck_lists::bulk), deck.sublist(deck_lists::friction),
+                  deck.sublist(deck_lists::initial)};
+  auto time = TimeSettings::from(deck.sublist(deck_lists::time));
+  auto const coupling =
+    dynamics::CouplingSettings::from(deck.sublist(deck_lists::coupling), time.tolerance);
+  auto const& output = deck.sublist(deck_lists::output);
   return {std::move(time),
           coupling,
-          MeshSettings::from(deck.sublist("Mesh")),
-          readConditions(deck.sublist("Boundary Conditions")),
+          MeshSettings::from(deck.sublist(deck_lists::mesh)),
+          readConditions(deck.sublist(deck_lists::conditions)),
           BulkSettings::from(lists.bulk),
           FrictionSettings::from(lists.friction),
           InitialSettings::from(lists.initial),
-          SolverSettings::from(deck.sublist("TNNMG")),
+          SolverSettings::from(deck.sublist(deck_lists::solver)),
           givenUp(output),
           catalogue::DirectionEast::from(output),
           io::OutputSet::times(output),

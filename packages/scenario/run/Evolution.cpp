@@ -11,6 +11,7 @@
 #include "mesh/PointText.hpp"
 #include "scenario/checks/SmallestStep.hpp"
 #include "scenario/checks/StartCheck.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/TimeSchemes.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/rock/BulkSetup.hpp"
@@ -109,7 +110,7 @@ dynamics::Watches Evolution<Dim>::makeWatches(ParameterList const& deck) const
     condensation_ ? condensation_->reactionFrom(problem_.across) : problem_.across;
   auto const places = placesOfLoads(problem_);
   auto const& scales = problem_.scales;
-  return dynamics::Watches(deck.sublist("Time Stepping"),
+  return dynamics::Watches(deck.sublist(deck_lists::time),
                            {model_.body, model_.fault, across, deck,
                             problem_.settings.time.tolerance, control_->adapts(), scales.zone,
                             scales.weakening, scales.slipDistance(), scales.slowRate(),

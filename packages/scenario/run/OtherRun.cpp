@@ -14,6 +14,7 @@
 #include "scenario/run/Checkpoints.hpp"
 #include "scenario/run/Evolution.hpp"
 #include "scenario/run/WholeBodyArchive.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
@@ -243,9 +244,10 @@ Archive stateOfOtherRun(std::filesystem::path const& run, Problem<Dim> const& pr
   const bool is_folder = std::filesystem::is_directory(run, ignored);
   const auto folder = is_folder ? run : run.parent_path();
   auto const other_deck = deckOf(folder.empty() ? "." : folder);
-  requireSame("The number of dimensions of the mesh", std::to_string(Dim),
-              std::to_string(meshDimension(other_deck->sublist("Mesh"), *problem.communicator)),
-              run.string());
+  requireSame(
+    "The number of dimensions of the mesh", std::to_string(Dim),
+    std::to_string(meshDimension(other_deck->sublist(deck_lists::mesh), *problem.communicator)),
+    run.string());
   auto const other = makeProblem<Dim>(*other_deck, problem.communicator);
   requireSameKind(problem, other, run.string());
   auto const other_domains = makeDomains(other);

@@ -7,6 +7,7 @@
 #include "scenario/fields/OutputFields.hpp"
 #include "scenario/report/RunReport.hpp"
 #include "scenario/run/OtherRun.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 #include <utility>
 
@@ -53,7 +54,7 @@ PreparedRun<Dim>::PreparedRun(RCP<const ParameterList> deck_, Problem<Dim> probl
     , evolution(problem, *deck, beginning)
     , unread(warnOfUnreadEntries(command_line, *deck))
 {
-  auto const& output = deck->sublist("Output");
+  auto const& output = deck->sublist(deck_lists::output);
   registerFields(registry, problem, evolution.view(), domains,
                  catalogue::coulombPlanes(output, Dim));
   outputs = std::make_unique<io::OutputSet>(
@@ -74,7 +75,7 @@ Description PreparedRun<Dim>::description() const
   if (fault == domains.end()) {
     return result;
   }
-  auto const& output = deck->sublist("Output");
+  auto const& output = deck->sublist(deck_lists::output);
   auto const ground = catalogue::groundOf(domains, io::DirectionUp::from(output).orDefault());
   if (auto const warning = catalogue::warnOfReceiversOnFault(
         output.sublist("Receivers"),

@@ -5,6 +5,7 @@
 #include "scenario/run/PreparedRun.hpp"
 #include "scenario/run/Simulation.hpp"
 #include "scenario/setup/DeckDirections.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/mesh/MeshSetup.hpp"
 
 #include <memory>
@@ -42,7 +43,7 @@ template <class Use>
 auto withPreparedRun(RCP<ParameterList> const& deck, CommandLine const& command_line,
                      RCP<const Communicator> const& communicator, Use const& use)
 {
-  if (meshDimension(deck->sublist("Mesh"), *communicator) == 3) {
+  if (meshDimension(deck->sublist(deck_lists::mesh), *communicator) == 3) {
     return use(*prepare<3>(deck, command_line, communicator));
   }
   refuseZ(*deck);

@@ -7,6 +7,7 @@
 #include "catalogue/stress/CoulombPlanes.hpp"
 #include "scenario/report/FaultDescription.hpp"
 #include "scenario/report/ReceiverCost.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/SolverSetup.hpp"
 
 namespace asperity::scenario
@@ -91,7 +92,8 @@ void Simulation<Dim>::describeStart()
     record_.message("Output / " + name + " is left out: the model has no " + domain +
                     (domain == "surface" ? ". Give a boundary the Type Free Surface." : "."));
   }
-  for (auto const& plane : catalogue::unwrittenPlanes(prepared_.deck->sublist("Output"))) {
+  for (auto const& plane :
+       catalogue::unwrittenPlanes(prepared_.deck->sublist(deck_lists::output))) {
     record_.message("Output / Coulomb Planes / " + plane + " is not written: no Fields name " +
                     catalogue::coulombField(plane) + '.');
   }

@@ -1,6 +1,7 @@
 #include "scenario/setup/DeckDirections.hpp"
 
 #include "io/OutputSet.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 
 namespace asperity::scenario
 {
@@ -23,11 +24,12 @@ void completeDirections(ParameterList& deck, int dimension, std::array<double, 3
       list.setEntry(name, Teuchos::ParameterEntry(Teuchos::Array<double>(value), true));
     }
   };
-  set(deck.sublist("Output"), io::DirectionUp::entry, std::vector<double>{up[0], up[1], up[2]});
+  set(deck.sublist(deck_lists::output), io::DirectionUp::entry,
+      std::vector<double>{up[0], up[1], up[2]});
   std::vector<double> down = {0. - up[0], 0. - up[1]}; // 0 where up is 0, not -0
   if (dimension == 3 && up[2] != 0) {
     down.push_back(0. - up[2]);
   }
-  set(deck.sublist("Bulk"), gravity_direction_entry, down);
+  set(deck.sublist(deck_lists::bulk), gravity_direction_entry, down);
 }
 } // namespace asperity::scenario

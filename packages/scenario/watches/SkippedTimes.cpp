@@ -5,6 +5,7 @@
 #include "base/parallel/Reductions.hpp"
 #include "parameters/ParameterInfo.hpp"
 #include "parameters/fields/TimesInFormula.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/NodalField.hpp"
 
 #include <algorithm>
@@ -39,8 +40,9 @@ SkippedTimes::SkippedTimes(ParameterList const& deck, std::vector<std::array<dou
     : places_(std::move(places))
     , communicator_(std::move(communicator))
 {
-  for (auto const* part : {"Boundary Conditions", "Bulk", "Friction"}) { // whatever loads
-    collect(deck.sublist(part), joinPath("Asperity", part), nullptr);
+  for (auto const* part :
+       {deck_lists::conditions, deck_lists::bulk, deck_lists::friction}) { // whatever loads
+    collect(deck.sublist(part), pathInDeck(part), nullptr);
   }
   std::sort(times_.begin(), times_.end());
   times_.erase(std::unique(times_.begin(), times_.end()), times_.end());

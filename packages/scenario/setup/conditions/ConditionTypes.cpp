@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "parameters/Entries.hpp"
+#include "scenario/setup/DeckPaths.hpp"
 #include "scenario/setup/conditions/BoundaryKind.hpp"
 #include "scenario/setup/conditions/FaultConditions.hpp"
 #include "scenario/setup/conditions/FaultKind.hpp"
@@ -188,7 +189,7 @@ void addEntriesOfTypes(ParameterList& list)
       auto const& entry = item.first;
       auto const owner = owners.find(entry);
       ASPERITY_REQUIRE(!list.isParameter(entry),
-                       joinPath("Asperity / Boundary Conditions / <condition>", entry)
+                       joinPath(joinPath(conditions_path, "<condition>"), entry)
                          << (owner == owners.end()
                                ? " belongs to all types"
                                : " belongs to the boundary condition '" + owner->second + "'")
@@ -215,8 +216,7 @@ std::vector<BoundaryCondition> readConditions(ParameterList const& list)
 {
   std::vector<BoundaryCondition> conditions;
   for (auto const& entry : list) {
-    conditions.emplace_back(joinPath("Asperity / Boundary Conditions", entry.first),
-                            list.sublist(entry.first));
+    conditions.emplace_back(joinPath(conditions_path, entry.first), list.sublist(entry.first));
   }
   return conditions;
 }
