@@ -1,10 +1,11 @@
 #pragma once
 
+#include "base/Warning.hpp"
 #include "dynamics/checks/FaultResolution.hpp"
-#include "scenario/checks/Description.hpp"
 #include "scenario/problem/Problem.hpp"
 #include "scenario/setup/friction/LawSetup.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 

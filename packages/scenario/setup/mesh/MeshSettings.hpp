@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/Types.hpp"
 #include "parameters/Parameters.hpp"
 
 #include <optional>
