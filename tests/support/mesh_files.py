@@ -11,9 +11,9 @@ MESH_TOOL = asperity_run.PROGRAM.with_name("asperity-mesh")  # there only where 
 
 
 def mesh_tool(*arguments, timeout=60):
-    """Runs asperity-mesh, which must succeed."""
-    subprocess.run([MESH_TOOL, *map(str, arguments)], check=True, capture_output=True,
-                   timeout=time_limits.seconds(timeout))
+    """Runs asperity-mesh, which must succeed; what it prints."""
+    return subprocess.run([MESH_TOOL, *map(str, arguments)], check=True, capture_output=True,
+                          text=True, timeout=time_limits.seconds(timeout)).stdout
 
 
 def write(name, vertices, cells, boundaries, region_of_cells=None, regions=(b"body",),
