@@ -1,6 +1,6 @@
 // Two vertical strike-slip faults that cross along a vertical line, in a box.
 //
-//   asperity-mesh convert conjugate_3d.geo conjugate_3d.h5 --set h=1250
+//   asperity-mesh convert conjugate_3d.geo conjugate_3d.h5 --set h=800
 //
 // x points along the largest horizontal compression, z up. The faults strike at `angle` to either
 // side of x, cross along x = y = 0 and reach the surface z = 0. They reach as far from the line as
@@ -16,17 +16,17 @@
 // `largest`.
 
 DefineConstant[
-  h = 1250,             // size of the cells on the faults
+  h = 800,              // size of the cells on the faults
   angle = 30,           // of the faults to x
   right_west = 28e3,
-  right_east = 14e3,
+  right_east = 3e3,
   right_depth = 20e3,
   left_west = 15e3,
   left_east = 15e3,
   left_depth = 18e3,
   half_width = 50e3,    // of the body, along x and along y
   depth = 40e3,         // of the body
-  growth = 0.3,         // -
+  growth = 0.2,         // -
   largest = 12e3        // size of a cell
 ];
 

@@ -31,8 +31,8 @@ LARGER_CELLS = {"bp1_fd": 8, "bp1_qd": 8, "bp1_qd_two_sided": 8, "bp2_qd": 16, "
                 "tpv101_3d": 4, "tpv101_two_sided": 4, "tpv104_3d": 4, "tpv105_3d": 4,
                 "tpv205_3d": 4}
 # or made from a geometry with cells of this size in m.
-SIZES = {"bp3_qd": 2e3, "network_2d": 1.2e3, "postseismic_2d": 4e3, "splay_2d": 4e3,
-         "subduction_2d": 4e3, "subduction_3d": 8e3, "subduction_cycle_2d": 4e3,
+SIZES = {"bp3_qd": 2e3, "conjugate_3d": 4e3, "network_2d": 1.2e3, "postseismic_2d": 4e3,
+         "splay_2d": 4e3, "subduction_2d": 4e3, "subduction_3d": 8e3, "subduction_cycle_2d": 4e3,
          "subduction_cycle_3d": 12e3}
 
 
