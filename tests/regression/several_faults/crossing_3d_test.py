@@ -145,6 +145,19 @@ class Crossing(unittest.TestCase):
                                               atol=1e-8 * size)
 
 
+class SameDepth(unittest.TestCase):
+    def test_a_direction_between_two_faults(self):
+        """Where faults at right angles end at the same depth, they have a tip in common, whose
+        normal lies between theirs: there a direction that both have a part of may have none."""
+        result = asperity_run.run(
+            asperity_run.SOURCE / "xml" / "step_over_3d.xml", "--validate", *settings({
+                "Mesh/Box/Cell Size": 5e3,
+                "Mesh/Faults/near": "abs(z) < 1 && abs(x) < 20.001e3 && y > -20.001e3",
+                "Mesh/Faults/far": "abs(x) < 1 && abs(z) < 20.001e3 && y > -20.001e3",
+                "Names/sense": 1, "Friction/Slip Direction": "{1, 0, 1}"}))
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+
 def strength_of(slip, fault):
     """A dataset of cohesion that holds one of the faults. It goes by the numbers of vertices,
     since the nodes of both at the crossing lie at one place."""

@@ -48,13 +48,14 @@ namespace
 // (T) at one node.
 template <int Dim>
 std::vector<double> rateAt(PlateRate const& plate, Mesh<Dim> const& mesh,
-                           fem::FaultNode const& node, fem::NodalFrames const& frames)
+                           fem::FaultSurface const& surface, int node,
+                           fem::NodalFrames const& frames)
 {
-  const double rate = (*plate.rate)(inSpace<Dim>(mesh.vertices[node.copies.front()]), 0, 0);
+  const double rate = (*plate.rate)(inSpace<Dim>(mesh.vertices[surface.vertex(node)]), 0, 0);
   if (plate.direction.empty()) {
     return {rate};
   }
-  auto along = directionAlongFault(plate.direction, frames, node,
+  auto along = directionAlongFault(plate.direction, frames, surface, node,
                                    joinPath(plate.name, condition_entries::direction));
   for (double& component : along) {
     component *= rate;
@@ -78,10 +79,10 @@ std::vector<double> nodalPlateRates(std::vector<PlateRate> const& plates, Mesh<D
   }
   std::vector<double> result;
   onEveryRank(*surface.communicator(), [&] {
-    for (auto const& node : surface) {
-      auto const* plate = at_vertex[node.copies.front()];
-      auto const rate = plate == nullptr ? std::vector<double>(node.dofs.size(), 0.)
-                                         : rateAt(*plate, mesh, node, frames);
+    for (int node = 0; node < surface.numNodes(); ++node) {
+      auto const* plate = at_vertex[surface.vertex(node)];
+      auto const rate = plate == nullptr ? std::vector<double>(surface.numTangents(), 0.)
+                                         : rateAt(*plate, mesh, surface, node, frames);
       result.insert(result.end(), rate.begin(), rate.end());
     }
   });
@@ -89,13 +90,14 @@ std::vector<double> nodalPlateRates(std::vector<PlateRate> const& plates, Mesh<D
 }
 
 std::vector<double> directionAlongFault(std::vector<double> const& towards,
-                                        fem::NodalFrames const& frames, fem::FaultNode const& node,
+                                        fem::NodalFrames const& frames,
+                                        fem::FaultSurface const& surface, int node,
                                         std::string const& entry)
 {
-  const int vertex = node.copies.front();
+  const int vertex = surface.vertex(node);
   std::vector<double> result;
   double square = 0;
-  for (int dof : node.dofs) {
+  for (int dof : surface[node].dofs) {
     const int tangent = dof - vertex * frames.components();
     double along = 0;
     for (int c = 0; c < frames.components(); ++c) {
@@ -104,9 +106,11 @@ std::vector<double> directionAlongFault(std::vector<double> const& towards,
     result.push_back(along);
     square += along * along;
   }
-  const double length = std::hypot(towards[0], towards[1], towards[2]);
-  ASPERITY_REQUIRE(std::sqrt(square) > 1e-6 * length,
-                   entry << " is at right angles to the fault somewhere. Choose one along it.");
+  if (std::sqrt(square) <= 1e-6 * std::hypot(towards[0], towards[1], towards[2])) {
+    ASPERITY_REQUIRE(!surface.counts(node),
+                     entry << " is at right angles to the fault somewhere. Choose one along it.");
+    return std::vector<double>(result.size(), 0.);
+  }
   for (double& x : result) {
     x /= std::sqrt(square);
   }

@@ -43,8 +43,10 @@ std::vector<double> nodalPlateRates(std::vector<PlateRate> const& plates, Mesh<D
 
 // The direction of the projection of `towards` (three numbers) onto the fault at a node: a unit
 // vector in components along the tangents there, (T). Throws InputError, with a message that begins
-// with `entry`, if `towards` is at right angles to the fault.
+// with `entry`, if `towards` is at right angles to the fault; where nothing can slip it is zero
+// there, as at a common tip of two faults, whose normal is that of neither of them.
 std::vector<double> directionAlongFault(std::vector<double> const& towards,
-                                        fem::NodalFrames const& frames, fem::FaultNode const& node,
+                                        fem::NodalFrames const& frames,
+                                        fem::FaultSurface const& surface, int node,
                                         std::string const& entry);
 } // namespace asperity::scenario

@@ -39,9 +39,9 @@ ShearTraction::ShearTraction(FrictionSettings const& settings, ParameterList con
     return;
   }
   auto const towards = slipDirection(settings);
-  for (auto const& node : surface) {
+  for (int node = 0; node < surface.numNodes(); ++node) {
     auto const projected = directionAlongFault(
-      towards, frames, node, joinPath(friction_path, friction_entries::slip_direction));
+      towards, frames, surface, node, joinPath(friction_path, friction_entries::slip_direction));
     direction_.insert(direction_.end(), projected.begin(), projected.end());
   }
 }
