@@ -16,8 +16,8 @@ using Vector = Point<3>; // z = 0 in two dimensions
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // As shares of the size of a facet.
-constexpr double rounding = 1e-6; // by which a line may miss it
-constexpr double vertical = 1e-9; // its area seen from above, below which no line meets it
+constexpr double reach_beyond = 1e-6; // by which a line may miss it
+constexpr double vertical = 1e-9;     // its area seen from above, below which no line meets it
 
 double dot(Vector const& a, Vector const& b) { return mesh::dot<3>(a, b); }
 
@@ -51,11 +51,11 @@ struct Facet
     auto const from_first = minus(point, corners[0]);
     if (dimension == 2) {
       const double weight = dot(from_first, edge(1)) / dot(edge(1), edge(1));
-      return weight >= -rounding && weight <= 1 + rounding;
+      return weight >= -reach_beyond && weight <= 1 + reach_beyond;
     }
     const double second = dot(cross(from_first, edge(2)), n) / dot(n, n);
     const double third = dot(cross(edge(1), from_first), n) / dot(n, n);
-    return second >= -rounding && third >= -rounding && second + third <= 1 + rounding;
+    return second >= -reach_beyond && third >= -reach_beyond && second + third <= 1 + reach_beyond;
   }
 
   double longestEdge() const

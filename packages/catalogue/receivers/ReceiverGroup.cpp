@@ -18,7 +18,7 @@ namespace
 // How far from the domain a receiver may lie, as a share of the element's size: coordinates on an
 // inclined fault or surface are rounded.
 constexpr double reach = 0.01;
-constexpr double rounding = 1e-6; // as above; what is less is no move
+constexpr double least_move = 1e-6; // as above; what is less is no move
 
 std::string pointText(std::vector<double> const& point) { return formatPoint(point, formatNumber); }
 
@@ -64,7 +64,7 @@ std::string placeText(GroundPoint const& point)
 {
   auto coordinates = point.coordinates;
   for (double& x : coordinates) {
-    x = std::abs(x) > rounding * point.element_size ? x : 0;
+    x = std::abs(x) > least_move * point.element_size ? x : 0;
   }
   return roundedText(coordinates);
 }
@@ -146,7 +146,7 @@ ReceiverGroup::ReceiverGroup(std::vector<NamedPlace> const& places, io::OutputDo
   for (std::size_t i = 0; i < located.size(); ++i) {
     auto const first = wanted.begin() + static_cast<std::ptrdiff_t>(i) * dimension;
     requireNear(places[i], {first, first + dimension}, located[i], domain, ground);
-    if (located[i].distance > rounding * located[i].element_size) {
+    if (located[i].distance > least_move * located[i].element_size) {
       projected_[i] = located[i].distance;
     }
     coordinates_.insert(coordinates_.end(), located[i].coordinates.begin(),
@@ -198,7 +198,7 @@ std::vector<std::string> ReceiverGroup::notes() const
 {
   std::vector<std::string> on_ground, projected, notes;
   for (auto const& [i, point] : on_ground_) {
-    const bool is_moved = hasHeight(i) && std::abs(point.rise) > rounding * point.element_size;
+    const bool is_moved = hasHeight(i) && std::abs(point.rise) > least_move * point.element_size;
     on_ground.push_back('\'' + places_[i].name + "' at " + placeText(point) + " m" +
                         (is_moved ? ", " + riseText(point, "the given place") : ""));
   }
