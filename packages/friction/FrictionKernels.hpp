@@ -50,7 +50,9 @@ public:
 
   // A sweep of Gauss-Seidel in one launch: for each node i of `nodes`, one after the other,
   // minimises as above with the force r_i + curvature_i v_i, zero in held components, and subtracts
-  // Z times the change of v_i from r, so that r remains b - Z v.
+  // Z times the change of v_i from r, so that r remains b - Z v. If the system has bounds, its
+  // blocks and v have one component more than r and v elsewhere: friction does not depend on the
+  // last one, whose minimiser is that of the quadratic part, moved into its bounds.
   virtual int sweep(IndexView const& nodes, DenseSystem const& coupled, StateAndStress const& at,
                     BlockView const& v) const = 0;
 

@@ -8,11 +8,12 @@ namespace asperity::tnnmg
 //
 // slope(t) is the function's derivative along the direction at step t (one-sided at a jump); it
 // must not decrease. start = slope(0); the step is zero unless start < 0. The search stops where
-// |slope| <= tolerance |start|, at step 1024 if the slope is still negative there, or where the
-// bracket cannot shrink. In the last case it returns the end to the left of the sign change, up to
-// which the function decreases.
+// |slope| <= tolerance |start|, at the largest step if the slope is still negative there, or where
+// the bracket cannot shrink. In the last case it returns the end to the left of the sign change, up
+// to which the function decreases.
 template <class Slope>
-double findSignChange(Slope const& slope, double start, double tolerance)
+double findSignChange(Slope const& slope, double start, double tolerance,
+                      double largest_step = 1024)
 {
   if (!(start < 0)) {
     return 0;
@@ -20,9 +21,9 @@ double findSignChange(Slope const& slope, double start, double tolerance)
   const double small = tolerance * std::abs(start);
   double left = 0;
   double slope_left = start;
-  double right = 1;
+  double right = largest_step < 1 ? largest_step : 1;
   double slope_right = slope(right);
-  while (slope_right < -small && right < 1024) {
+  while (slope_right < -small && right < largest_step) {
     left = right;
     slope_left = slope_right;
     right *= 2;

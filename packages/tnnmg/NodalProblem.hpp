@@ -28,6 +28,10 @@ class NodalProblem
 public:
   virtual ~NodalProblem() = default;
 
+  // Beyond its bounds psi_i is infinite; psi_i is smooth in the last component between them. The
+  // functions below are called for v and v + t d within the bounds alone. Bounds change with the
+  // right side (Tnnmg::begin) alone.
+  virtual Bounds bounds() const { return {}; }
   // v_i = argmin curvature_i/2 |w|^2 - <r_i, w> + psi_i(w) for the given nodes. Returns the number
   // of nodes where this failed.
   virtual int minimise(IndexView const& nodes, ConstNodeView const& curvature,
@@ -36,7 +40,9 @@ public:
   // held components. r = b - Z v is kept up to date.
   virtual int sweep(IndexView const& nodes, DenseSystem const& system,
                     BlockView const& v) const = 0;
-  // Gradient and Hessian of psi_i at v_i; kinked_i = 1 where psi_i has no second derivative.
+  // Gradient and Hessian of psi_i at v_i without its bounds; kinked_i = 1 where psi_i has no second
+  // derivative. With bounds the last row and column of a Hessian are zero, and kinked_i is about
+  // the other components.
   virtual void linearise(ConstBlockView const& v, BlockView const& gradient,
                          HessianView const& hessian, FlagView const& kinked) const = 0;
   // The sum of psi_i'(v_i + t d_i; d_i).

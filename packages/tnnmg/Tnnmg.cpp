@@ -49,6 +49,17 @@ void Tnnmg::begin(Vector const& b, Vector const& guess)
   last_ratio_ = std::numeric_limits<double>::infinity();
 }
 
+// A start beyond bounds has no finite J: its nearest point within them is the start.
+void Tnnmg::takeBounds(NodalProblem const& problem)
+{
+  auto const bounds = problem.bounds();
+  bounded_.reset();
+  if (bounds.exist) {
+    bounded_.emplace(Z_->nodes(), bounds);
+    bounded_->moveIntoBounds(blocks_.v, *vectors_.v);
+  }
+}
+
 void Tnnmg::computeResidual()
 {
   Z_->residual(vectors_.b, *vectors_.v, vectors_.r);
@@ -58,6 +69,7 @@ void Tnnmg::computeResidual()
 // The residual is computed anew, free of the rounding of earlier updates.
 TnnmgResult Tnnmg::solve(NodalProblem const& problem)
 {
+  takeBounds(problem);
   computeResidual();
   return iterate(problem, settings_.max_iterations);
 }
@@ -65,6 +77,7 @@ TnnmgResult Tnnmg::solve(NodalProblem const& problem)
 TnnmgResult Tnnmg::improve(NodalProblem const& problem)
 {
   if (!has_residual_) {
+    takeBounds(problem);
     computeResidual();
   }
   return iterate(problem, 1);
@@ -114,8 +127,15 @@ bool Tnnmg::findCorrection(NodalProblem const& problem, TnnmgResult& result)
 {
   ASPERITY_TIME_WORK("linear corrections");
   problem.linearise(blocks_.v, blocks_.gradient, blocks_.hessian, blocks_.truncated);
-  blocks_.truncate(Z_->nodes(), Z_->curvature(), settings_.stiff);
+  if (bounded_) {
+    bounded_->truncate(blocks_, Z_->curvature(), settings_.stiff);
+  } else {
+    blocks_.truncate(Z_->nodes(), Z_->curvature(), settings_.stiff);
+  }
   vectors_.newtonResidual(Z_->nodes(), blocks_.gradient);
+  if (bounded_) {
+    bounded_->clearFixed(vectors_.newton_residual);
+  }
   auto const solved =
     correction_->solve({blocks_.hessian, blocks_.truncated}, vectors_.newton_residual,
                        settings_.correction_tolerance, vectors_.c);
@@ -127,7 +147,29 @@ bool Tnnmg::findCorrection(NodalProblem const& problem, TnnmgResult& result)
     ++result.failed_corrections;
     return false;
   }
+  if (bounded_) {
+    bounded_->clearFixed(vectors_.c);
+  }
   return true;
+}
+
+// Shortens the correction such that it ends within the bounds. Returns the largest step along it
+// that stays there, and all smaller ones do, since bounds are convex. The projection of v + c onto
+// the bounds is nearer to the minimiser than a step that stops at the first bound, but J may rise
+// towards it. Then the correction remains as it is, along which J falls.
+double Tnnmg::confineCorrection(NodalProblem const& problem)
+{
+  auto const& communicator = *Z_->rows()->getComm();
+  const Vector whole(vectors_.c, Teuchos::Copy);
+  bounded_->project(blocks_.v, vectors_.c);
+  gather(Z_->nodes().dofs, vectors_.c, blocks_.d);
+  const double start =
+    sumOverRanks(problem.slope(blocks_.v, blocks_.d, 0), communicator) - vectors_.r.dot(vectors_.c);
+  if (start < 0) {
+    return 1;
+  }
+  Tpetra::deep_copy(vectors_.c, whole);
+  return minOverRanks(bounded_->largestStep(blocks_.v, vectors_.c), communicator);
 }
 
 // This rank's part of the change of psi along the correction, which blocks_.d holds.
@@ -141,6 +183,7 @@ EnergyChange Tnnmg::nonlinearChange(NodalProblem const& problem, double step) co
 bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
 {
   ASPERITY_TIME_WORK("line searches");
+  const double largest_step = bounded_ ? confineCorrection(problem) : 1024;
   gather(Z_->nodes().dofs, vectors_.c, blocks_.d);
   auto const mine = vectors_.derivativeAlongCorrection(*Z_);
   auto const of_step = nonlinearChange(problem, 1);
@@ -172,12 +215,12 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
                         t * (along.magnitude + t / 2 * along.curvature) + nonlinear.magnitude};
   };
   const double start = slope(0);
-  double step = findSignChange(slope, start, 1e-2);
+  double step = findSignChange(slope, start, 1e-2, largest_step);
   auto change = changeAlong(step);
   if (change.change > 0 && step > 0) {
     // The slope at this step was small but positive. Where the slope is not positive, J is certain
     // to be below its start.
-    step = findSignChange(slope, start, 0.);
+    step = findSignChange(slope, start, 0., largest_step);
     change = changeAlong(step);
   }
   if (!(step > 0) && !(std::sqrt(along.curvature) <= smallError(vectors_.norms(0).v))) {
@@ -189,6 +232,9 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
   remaining_share_ = std::max(remaining_share_, std::fabs(1 - step));
   vectors_.move(step);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);
+  if (bounded_) {
+    bounded_->moveIntoBounds(blocks_.v, *vectors_.v); // which rounding may have passed
+  }
   return true;
 }
 } // namespace asperity::tnnmg

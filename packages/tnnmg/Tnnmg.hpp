@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tnnmg/BoundedNodes.hpp"
 #include "tnnmg/LinearCorrection.hpp"
 #include "tnnmg/RateMatrix.hpp"
 #include "tnnmg/TnnmgSettings.hpp"
@@ -7,6 +8,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace asperity::tnnmg
 {
@@ -31,7 +33,9 @@ struct TnnmgResult
 //   J(v) = 1/2 <Z v, v> - <b, v> + sum over nonlinear nodes of psi_i(v_i),   psi_i convex,
 // by iterations that each lower J: a nonlinear Gauss-Seidel sweep over the nonlinear nodes,
 // truncation of the nodes where psi has no useful second derivative, a linear correction for all
-// dofs, and a line search. All ranks call each function together.
+// dofs, and a line search. Bounds of a component (NodalProblem::bounds) are a part of psi: sweeps
+// end within them, the correction is zero in components at a bound, and the line search ends within
+// them. All ranks call each function together.
 class Tnnmg
 {
 public:
@@ -49,10 +53,12 @@ public:
   BlockView const& vAtNodes() const { return blocks_.v; } // (num_nodes, T)
 
 private:
+  void takeBounds(NodalProblem const& problem);
   void computeResidual();
   TnnmgResult iterate(NodalProblem const& problem, int max_iterations);
   int smooth(NodalProblem const& problem, TnnmgResult& result);
   bool findCorrection(NodalProblem const& problem, TnnmgResult& result);
+  double confineCorrection(NodalProblem const& problem);
   bool searchAlong(NodalProblem const& problem, TnnmgResult& result);
   EnergyChange nonlinearChange(NodalProblem const& problem, double step) const;
   // The largest error that counts as none, in the energy norm; norm: that of v.
@@ -66,9 +72,10 @@ private:
   TnnmgSettings settings_;
   detail::TnnmgVectors vectors_;
   detail::TnnmgBlocks blocks_;
-  bool has_residual_ = false;  // of the present v
-  double last_change_ = 0;     // of v
-  double last_ratio_ = 0;      // the last change relative to the one before it
-  double remaining_share_ = 1; // of the error, by the last correction
+  std::optional<detail::BoundedNodes> bounded_; // if the problem has bounds
+  bool has_residual_ = false;                   // of the present v
+  double last_change_ = 0;                      // of v
+  double last_ratio_ = 0;                       // the last change relative to the one before it
+  double remaining_share_ = 1;                  // of the error, by the last correction
 };
 } // namespace asperity::tnnmg

@@ -53,11 +53,14 @@ struct Minimise
 };
 
 // One team goes from node to node. All of its threads minimise at the node, with the same result,
-// and each subtracts its part of Z times the change, for which rows of Z serve as columns.
-template <class Law, int T>
+// and each subtracts its part of Z times the change, for which rows of Z serve as columns. If
+// Bounded, blocks of Z, r and v have one more component, on which friction does not depend: its
+// minimiser is that of the quadratic part, moved into the bounds.
+template <class Law, int T, bool Bounded>
 struct Sweep
 {
   using Team = Kokkos::TeamPolicy<ExecutionSpace>::member_type;
+  static constexpr int size = Bounded ? T + 1 : T;
 
   NodePotentials<Law> potentials;
   Unmanaged<IndexView> nodes;
@@ -66,32 +69,39 @@ struct Sweep
   Unmanaged<IndexView> held;
   Unmanaged<ConstNodeView> curvature;
   Unmanaged<BlockView> v;
+  Unmanaged<ConstNodeView> lower, upper; // of the last component, if it has bounds
 
   KOKKOS_INLINE_FUNCTION void operator()(Team const& team, int& num_failed) const
   {
     for (int k = 0; k < static_cast<int>(nodes.extent(0)); ++k) {
       const int node = nodes(k);
-      double force[T], after[T], change[T];
+      double force[T], after[size], change[size];
       for (int j = 0; j < T; ++j) {
         after[j] = v(node, j);
-        force[j] = held(node * T + j) ? 0 : r(node, j) + curvature(node) * after[j];
+        force[j] = held(node * size + j) ? 0 : r(node, j) + curvature(node) * after[j];
       }
       const bool found = minimiseAt(potentials(node), potentials.template prescribedRate<T>(node),
                                     curvature(node), force, after);
+      if constexpr (Bounded) {
+        after[T] = v(node, T);
+        if (found && !held(node * size + T)) {
+          after[T] = within(lower(node), after[T] + r(node, T) / curvature(node), upper(node));
+        }
+      }
       bool changed = false;
-      for (int j = 0; j < T; ++j) {
+      for (int j = 0; j < size; ++j) {
         change[j] = after[j] - v(node, j);
         changed = changed || change[j] != 0;
       }
       team.team_barrier(); // all have read v and r
       Kokkos::single(Kokkos::PerTeam(team), [&]() {
         num_failed += found ? 0 : 1;
-        for (int j = 0; j < T; ++j) {
+        for (int j = 0; j < size; ++j) {
           v(node, j) = after[j];
         }
       });
       if (changed) {
-        subtractColumns(team, node * T, change);
+        subtractColumns(team, node * size, change);
       }
       team.team_barrier();
     }
@@ -99,15 +109,15 @@ struct Sweep
 
 private:
   KOKKOS_INLINE_FUNCTION void subtractColumns(Team const& team, int first,
-                                              double const (&change)[T]) const
+                                              double const (&change)[size]) const
   {
-    const int size = static_cast<int>(Z.extent(1));
+    const int columns = static_cast<int>(Z.extent(1));
     double const* const z = &Z(first, 0);
     double* const force = r.data();
-    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, size), [&](int i) {
+    Kokkos::parallel_for(Kokkos::TeamThreadRange(team, columns), [&](int i) {
       double sum = 0;
-      for (int j = 0; j < T; ++j) {
-        sum += z[j * size + i] * change[j];
+      for (int j = 0; j < size; ++j) {
+        sum += z[j * columns + i] * change[j];
       }
       force[i] -= sum;
     });

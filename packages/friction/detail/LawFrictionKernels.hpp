@@ -33,15 +33,8 @@ public:
   int sweep(IndexView const& nodes, DenseSystem const& coupled, StateAndStress const& at,
             BlockView const& v) const override
   {
-    static const std::string label = "asperity::friction::sweep";
-    return withComponents(v.extent(1), [&](auto T) {
-      int num_failed = 0;
-      Kokkos::parallel_reduce(label, Kokkos::TeamPolicy<ExecutionSpace>(1, Kokkos::AUTO),
-                              Sweep<Law, T>{nodes_.at(at), nodes, coupled.Z, coupled.r,
-                                            coupled.held, coupled.curvature, v},
-                              num_failed);
-      return num_failed;
-    });
+    return coupled.bounds.exist ? sweepWith<true>(v.extent(1) - 1, nodes, coupled, at, v)
+                                : sweepWith<false>(v.extent(1), nodes, coupled, at, v);
   }
 
   void linearise(ConstBlockView const& v, StateAndStress const& at, BlockView const& gradient,
@@ -99,6 +92,22 @@ public:
   }
 
 private:
+  template <bool Bounded>
+  int sweepWith(std::size_t num_components, IndexView const& nodes, DenseSystem const& coupled,
+                StateAndStress const& at, BlockView const& v) const
+  {
+    static const std::string label = "asperity::friction::sweep";
+    return withComponents(num_components, [&](auto T) {
+      int num_failed = 0;
+      Kokkos::parallel_reduce(label, Kokkos::TeamPolicy<ExecutionSpace>(1, Kokkos::AUTO),
+                              Sweep<Law, T, Bounded>{nodes_.at(at), nodes, coupled.Z, coupled.r,
+                                                     coupled.held, coupled.curvature, v,
+                                                     coupled.bounds.lower, coupled.bounds.upper},
+                              num_failed);
+      return num_failed;
+    });
+  }
+
   FaultView owned_; // keeps alive what nodes_ points to
   LawView<Law> laws_;
   NodePotentials<Law> nodes_;

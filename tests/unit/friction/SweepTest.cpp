@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <random>
 
 namespace asperity::friction::test
@@ -28,8 +30,10 @@ struct System
       held.push_back(T == 2 && row % 7 == 0 ? 1 : 0);
     }
     for (int node = 0; node < num_nodes; ++node) {
-      b.push_back(T == 1 ? Values{1e7 * number(random)}
-                         : Values{1e7 * number(random), 1e7 * number(random)});
+      b.emplace_back();
+      for (int j = 0; j < T; ++j) {
+        b.back().push_back(1e7 * number(random));
+      }
       curvature.push_back(2e6);
     }
   }
@@ -123,6 +127,67 @@ TEST(Sweep, MinimisesNodeByNode)
         }
       }
     }
+  }
+}
+
+// With bounds a block has one more component, which friction does not see.
+TEST(Sweep, MovesTheLastComponentIntoItsBounds)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const int T : {1, 2}) {
+    const auto reference = variousNodes("Regularised");
+    const int num_nodes = static_cast<int>(reference.size()), size = T + 1;
+    const Fault fault(reference);
+    System system(num_nodes, size);
+    Values lower(num_nodes, -infinity), upper(num_nodes, infinity);
+    for (int node = 0; node < num_nodes; ++node) {
+      (node % 2 == 0 ? lower : upper)[node] = 0.1 * (node % 5 - 2);
+    }
+    system.held.assign(num_nodes * size, 0);
+    system.held[3 * size + T] = 1;
+    lower[3] = -infinity;
+    upper[3] = infinity;
+    const auto curvature = toDevice(system.curvature);
+    const auto start = std::vector<Values>(num_nodes, Values(size, 0));
+
+    auto expected = start;
+    int num_at_bounds = 0;
+    for (int node = 0; node < num_nodes; ++node) {
+      auto const force = system.force(node, expected);
+      std::vector<Values> along(num_nodes, Values(T, 0)), forces = along;
+      std::copy_n(force.begin(), T, forces[node].begin());
+      std::copy_n(expected[node].begin(), T, along[node].begin());
+      const auto v = toDevice(along);
+      ASSERT_EQ(fault.kernels->minimise(flags({node}), curvature, toDevice(forces), fault.at, v),
+                0);
+      auto const found = onHost(v)[node];
+      std::copy_n(found.begin(), T, expected[node].begin());
+      const double free = force[T] / system.curvature[node];
+      expected[node][T] = std::min(std::max(free, lower[node]), upper[node]);
+      num_at_bounds += expected[node][T] != free ? 1 : 0;
+    }
+    EXPECT_GT(num_at_bounds, 3);
+    EXPECT_LT(num_at_bounds, num_nodes - 3);
+
+    const auto v = toDevice(start);
+    const DenseSystem coupled{toDevice(system.Z),
+                              toDevice(system.residual(start)),
+                              flags(system.held),
+                              curvature,
+                              {true, toDevice(lower), toDevice(upper)}};
+    EXPECT_EQ(fault.kernels->sweep(allNodes(num_nodes), coupled, fault.at, v), 0);
+    const auto found = onHost(v);
+    const auto left = onHost(coupled.r);
+    const auto expected_left = system.residual(found);
+    for (int node = 0; node < num_nodes; ++node) {
+      for (int j = 0; j < size; ++j) {
+        EXPECT_NEAR(found[node][j], expected[node][j], 1e-10 * std::abs(expected[node][j]) + 1e-300)
+          << "node " << node << ", component " << j;
+        EXPECT_NEAR(left[node][j], expected_left[node][j], 1e-13 * 1e7 * num_nodes)
+          << "node " << node << ", component " << j;
+      }
+    }
+    EXPECT_EQ(found[3][T], 0) << "held";
   }
 }
 

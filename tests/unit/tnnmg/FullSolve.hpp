@@ -19,4 +19,9 @@ TnnmgResult solveFull(RateProblem const& problem, NodalProblem const& nodes,
                       TnnmgSettings const& settings, Eigen::VectorXd& v,
                       std::map<int, double> const& held = {},
                       std::shared_ptr<LinearCorrection> correction = nullptr);
+
+// The same on the fault alone, the rest condensed, with the direct correction; one rank.
+TnnmgResult solveCondensed(RateProblem const& problem, NodalProblem const& nodes,
+                           TnnmgSettings const& settings, Eigen::VectorXd& v,
+                           std::map<int, double> const& held = {});
 } // namespace asperity::tnnmg::test

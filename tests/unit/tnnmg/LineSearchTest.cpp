@@ -66,6 +66,16 @@ TEST(LineSearch, StopsBeforeAJumpOfTheSlope)
   }
 }
 
+TEST(LineSearch, EndsAtTheLargestStep)
+{
+  for (double largest : {1e-6, 0.3, 1.}) {
+    const auto falling = [](double) { return -1.; };
+    EXPECT_EQ(findSignChange(falling, -1, 1e-2, largest), largest);
+    const auto turning = [largest](double t) { return t - largest / 2; };
+    EXPECT_NEAR(findSignChange(turning, turning(0), 0, largest), largest / 2, 1e-13 * largest);
+  }
+}
+
 TEST(LineSearch, ExpandsAlongAFlatSlope)
 {
   const auto result = search([](double t) { return t < 200 ? -1. : t - 200.; }, 1e-2);
