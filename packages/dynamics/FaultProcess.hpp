@@ -41,6 +41,13 @@ public:
   // them, to what friction takes. sigma_n stays >= 0.
   virtual void act(State const& state, NodeView const& alpha, NodeView const& sigma_n) const = 0;
 
+  // p(num_nodes) += the pressure [Pa] that act() subtracts from sigma_n: it parts the sides of a
+  // fault that may open.
+  virtual void addPressure(State const& state, NodeView const& p) const
+  {
+    static_cast<void>(state), static_cast<void>(p);
+  }
+
   virtual std::vector<ObservedField> observed() const { return {}; }
 
   // Lines for the log about what it was made of. The same on all ranks.

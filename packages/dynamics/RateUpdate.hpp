@@ -39,6 +39,14 @@ struct RateUpdate
   // the order p; 0 where a scheme damps nothing, so that v has what no step has ever resolved.
   double velocity_error = 0;
 
+  // Whether a fault that may open can be stepped with inertia (StepOpening): accelerations of the
+  // past have no part in u1 and, if they have one in a1, this is the trapezoidal rule.
+  bool allowsContact() const
+  {
+    return acceleration_in_displacement == 0 && lag == 0 &&
+           (acceleration_in_acceleration == 0 || acceleration_in_acceleration == 1);
+  }
+
   // Second order; unconditionally stable for beta in [1/4, 1/2].
   static RateUpdate newmark(double beta);
   // First order; damps all modes.

@@ -17,14 +17,18 @@ namespace asperity::fem
 {
 namespace
 {
-NodeDofView dofView(std::vector<FaultNode> const& nodes, int num_tangents)
+// The tangential dofs of each node and, with_across, the one across.
+NodeDofView dofView(std::vector<FaultNode> const& nodes, int num_tangents, bool with_across)
 {
   const Kokkos::View<LocalOrdinal**, Kokkos::LayoutRight, MemorySpace> view(
-    "asperity::fem::faultDofs", nodes.size(), num_tangents);
+    "asperity::fem::faultDofs", nodes.size(), num_tangents + (with_across ? 1 : 0));
   auto const host = Kokkos::create_mirror_view(view);
   for (std::size_t node = 0; node < nodes.size(); ++node) {
     for (int k = 0; k < num_tangents; ++k) {
       host(node, k) = nodes[node].dofs[k];
+    }
+    if (with_across) {
+      host(node, num_tangents) = nodes[node].across;
     }
   }
   Kokkos::deep_copy(view, host);
@@ -42,7 +46,8 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
     , colours_(std::move(colours))
     , other_side_(other_side)
     , communicator_(communicator)
-    , dofs_(dofView(nodes_, num_tangents))
+    , dofs_(dofView(nodes_, num_tangents, false))
+    , unknowns_(mayOpen() ? dofView(nodes_, num_tangents, true) : dofs_)
 {
   ASPERITY_ASSERT(std::is_sorted(nodes_.begin(), nodes_.end(), [](auto const& a, auto const& b) {
     return a.copies.front() < b.copies.front();
@@ -58,6 +63,18 @@ FaultSurface::FaultSurface(std::string name, std::vector<FaultNode> nodes, int n
   }
   sliding_ = toDevice(sliding, "asperity::fem::slidingNodes");
   counted_ = toDevice(counted, "asperity::fem::countedNodes");
+  if (mayOpen()) {
+    std::vector<int> opening, across;
+    std::vector<double> signs;
+    for (int node = 0; node < numNodes(); ++node) {
+      opening.push_back(opens(node) ? 1 : 0);
+      across.push_back(nodes_[node].across);
+      signs.push_back(nodes_[node].opening_sign);
+    }
+    opening_ = toDevice(opening, "asperity::fem::openingNodes");
+    across_ = toDevice(across, "asperity::fem::dofsAcross");
+    opening_signs_ = toDevice(signs, "asperity::fem::openingSigns");
+  }
   weights_ = toDevice(weights, "asperity::fem::faultWeights");
   slip_factors_ =
     toDevice(std::vector<double>(nodes_.size(), slipFactor()), "asperity::fem::slipFactors");
@@ -109,6 +126,15 @@ bool FaultSurface::slides(int node) const
   return false;
 }
 
+std::vector<int> FaultSurface::unknownsOf(int node) const
+{
+  auto result = nodes_[node].dofs;
+  if (mayOpen()) {
+    result.push_back(nodes_[node].across);
+  }
+  return result;
+}
+
 void addTraction(FaultSurface const& surface, std::vector<double> const& traction, Vector& load)
 {
   auto const values = load.getLocalViewDevice(Tpetra::Access::ReadWrite);
@@ -139,6 +165,24 @@ std::vector<int> copiesOf(mesh::FaultPairs const& pairs,
     copies.push_back(joint->second);
   }
   return copies;
+}
+
+// Sets the unknown across a node whose tangential components are these. The minus side lies where
+// the normal points: the sides part where the plus side moves against it.
+void setAcross(NodalFrames const& frames, DofMap const& dofs, std::vector<int> const& tangential,
+               FaultNode& node)
+{
+  const int vertex = node.copies.front();
+  for (int component = 0; component < frames.components(); ++component) {
+    if (std::find(tangential.begin(), tangential.end(), component) == tangential.end()) {
+      double outward = 0; // 1 or -1, since the frame follows the normal
+      for (int d = 0; d < frames.components(); ++d) {
+        outward += frames.entry(vertex, component, d) * node.normal[d];
+      }
+      node.across = dofs.dof(vertex, component);
+      node.opening_sign = outward > 0 ? -1 : 1;
+    }
+  }
 }
 } // namespace
 
@@ -176,14 +220,19 @@ makeFaultSurface(Mesh<Dim> const& mesh, std::string const& boundary,
       node.normal[i] = measure.normal[i];
     }
     auto const& frames = constraints.frames();
-    for (int component : tangentialComponents(frames, measure.node, measure.normal)) {
+    auto const tangential = tangentialComponents(frames, measure.node, measure.normal);
+    for (int component : tangential) {
       node.dofs.push_back(dofs.dof(measure.node, component));
       node.tangents.push_back(frames.row(measure.node, component));
+    }
+    if (other_side.may_open) {
+      setAcross(frames, dofs, tangential, node);
     }
     nodes.push_back(std::move(node));
   }
   auto const& held = constraints.held();
-  auto colours = colourFreeNodes(graph, dofView(nodes, num_tangents), held.flags());
+  auto colours =
+    colourFreeNodes(graph, dofView(nodes, num_tangents, other_side.may_open), held.flags());
   return std::make_shared<FaultSurface>(boundary, std::move(nodes), num_tangents, held,
                                         std::move(colours), other_side, dofs.communicator());
 }

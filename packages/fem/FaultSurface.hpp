@@ -27,6 +27,10 @@ struct FaultNode
   std::vector<std::array<double, 3>> tangents = {}; // (T) along the axes, unit vectors
   // Whether it lies on a fault whose slip is prescribed.
   bool has_given_slip = false;
+  // On a surface that may open: the local dof of the jump across, and what it is multiplied with to
+  // give the opening, 1 or -1.
+  int across = -1;
+  double opening_sign = 1;
 };
 
 // The one description of a fault's nodes: places, copies, weights, dofs, what is held, colours, and
@@ -66,22 +70,37 @@ public:
   int vertex(int node) const { return nodes_[node].copies.front(); }
   std::vector<int> vertices() const; // (num_nodes), ascending
   int nodeAt(int vertex) const;      // -1 if this rank has no node there
-  // Whether the velocity of tangential component k is prescribed.
+  // Whether the velocity of a local dof, or of tangential component k, is prescribed.
+  bool isHeld(int dof) const { return held_[dof]; }
   bool held(int node, int k) const { return held_[nodes_[node].dofs[k]]; }
   // Whether at least one tangential velocity of the node is not prescribed, so that friction acts.
   bool slides(int node) const;
   // How many nodes slide, over all ranks. Without any the slip of the fault is known, and each rate
   // problem is linear.
   GlobalOrdinal numSliding() const { return num_sliding_; }
+  // Whether the sides may part, somewhere on the surface.
+  bool mayOpen() const { return other_side_.may_open; }
+  // Whether they may part at the node.
+  bool opens(int node) const { return mayOpen() && !held_[nodes_[node].across]; }
+  // Local dofs of the unknowns of a node in rate problems: the tangential ones and, where the
+  // surface may open, that across.
+  std::vector<int> unknownsOf(int node) const;
+  int numUnknowns() const { return num_tangents_ + (mayOpen() ? 1 : 0); } // U, of each node
   // Whether the slip at the node counts as that of the fault, in its peak slip rate and moment: the
   // node slides, or lies on a fault whose slip is prescribed. What is prescribed beside friction,
   // where the fault ends at a wall or goes on at a given rate, does not count.
   bool counts(int node) const { return slides(node) || nodes_[node].has_given_slip; }
 
   // On the device.
-  NodeDofView dofs() const { return dofs_; }                         // (num_nodes, T)
+  NodeDofView dofs() const { return dofs_; }         // (num_nodes, T)
+  NodeDofView unknowns() const { return unknowns_; } // (num_nodes, U)
+  // (num_nodes), without entries if the surface cannot open: whether the node may, the dof across,
+  // and the sign of the opening there.
+  ConstFlagView openingNodes() const { return opening_; }
+  IndexView dofsAcross() const { return across_; }
+  ConstNodeView openingSigns() const { return opening_signs_; }
   ConstFlagView heldDofs() const { return held_.flagsOnDevice(); }   // (num local dofs)
-  std::vector<IndexView> const& colours() const { return colours_; } // of nodes that slide
+  std::vector<IndexView> const& colours() const { return colours_; } // of nodes with a free unknown
   ConstFlagView slidingNodes() const { return sliding_; }            // (num_nodes): see slides()
   ConstFlagView countedNodes() const { return counted_; }            // (num_nodes): see counts()
   ConstNodeView weights() const { return weights_; }
@@ -103,7 +122,10 @@ private:
   RCP<const Communicator> communicator_;
   GlobalOrdinal num_global_nodes_ = 0, num_sliding_ = 0;
   double total_weight_ = 0;
-  NodeDofView dofs_;
+  NodeDofView dofs_, unknowns_;
+  ConstFlagView opening_;
+  IndexView across_;
+  ConstNodeView opening_signs_;
   ConstFlagView sliding_, counted_;
   ConstNodeView weights_, slip_factors_;
   ConstNodeView plate_rates_; // (num_nodes T), empty without one

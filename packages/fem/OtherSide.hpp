@@ -15,8 +15,11 @@ struct OtherSide
   // nodes (VertexTerms). Otherwise it is a boundary of the body, and w_t = v_t.
   bool is_inside = false;
   // Whether the other side moves the opposite way, so that by symmetry the displacement across the
-  // fault is free and the normal stress does not change. Otherwise there is no opening.
+  // fault is free and the normal stress does not change.
   bool is_mirrored = false;
+  // Whether the two sides may part, of a fault inside the mesh: then the jump across is an unknown
+  // that is not negative. Otherwise there is no opening.
+  bool may_open = false;
 
   static const OtherSide rigid_foundation; // slip = v_t
   static const OtherSide mirror_image;     // slip = 2 v_t

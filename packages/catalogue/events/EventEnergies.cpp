@@ -8,9 +8,9 @@ namespace asperity::catalogue
 {
 namespace
 {
-constexpr char const* energies[] = {"kinetic_energy", "elastic_energy",        "load_work",
-                                    "boundary_work",  "friction_work",         "viscous_work",
-                                    "inelastic_work", "numerical_dissipation", "energy_defect"};
+constexpr char const* energies[] = {
+  "kinetic_energy", "elastic_energy", "load_work",    "boundary_work",         "friction_work",
+  "viscous_work",   "inelastic_work", "contact_work", "numerical_dissipation", "energy_defect"};
 } // namespace
 
 EventEnergies::EventEnergies(io::FieldRegistry const& registry)

@@ -28,12 +28,12 @@ StepUnknownList CoupledStep::unknownsOf(Body const& body, Fault const& fault,
 
 CoupledStep::CoupledStep(Body const& body, Fault const& fault, StepSettings const& settings,
                          ReactionSinceStart const& since_start)
-    : CoupledStep(body, fault, settings, unknownsOf(body, fault, since_start))
+    : CoupledStep(body, fault, settings, unknownsOf(body, fault, since_start), since_start)
 {
 }
 
 CoupledStep::CoupledStep(Body const& body, Fault const& fault, StepSettings const& settings,
-                         StepUnknownList unknowns)
+                         StepUnknownList unknowns, ReactionSinceStart const& since_start)
     : body_(body)
     , fault_(fault)
     , settings_(settings)
@@ -41,7 +41,7 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, StepSettings cons
     , given_(fault.processes(), fault.surface().numNodes())
     , solvers_(body, fault.surface(), settings.update, settings.clock, settings.solver,
                settings.solver_memory, unknowns_.reaction())
-    , equations_(body, fault.surface(), settings_.update, unknowns_)
+    , equations_(body, fault, settings_.update, unknowns_, since_start)
     , w_(body.vector())
     , start_velocity_("asperity::dynamics::startVelocity", surface().numNodes(),
                       surface().numTangents())
@@ -49,6 +49,9 @@ CoupledStep::CoupledStep(Body const& body, Fault const& fault, StepSettings cons
                      surface().numTangents())
     , slip_rate_("asperity::dynamics::V", surface().numNodes())
 {
+  if (surface().mayOpen()) {
+    memory_.emplace(surface().numNodes(), surface().numTangents());
+  }
 }
 
 CoupledResult CoupledStep::solve(State const& from, int level, State& to, SolveCount& count)
@@ -120,7 +123,11 @@ tnnmg::TnnmgResult CoupledStep::workOn(Effort effort, FrictionProblem const& fri
                                        RateSolver& solver) const
 {
   auto const problem = equations_.withPrescribed(friction);
-  return effort == Effort::solution ? solver.solve(problem) : solver.improve(problem);
+  const auto work = [&](tnnmg::NodalProblem const& one) {
+    return effort == Effort::solution ? solver.solve(one) : solver.improve(one);
+  };
+  return memory_ ? work(OpeningProblem(problem, equations_.opening()->bounds(), *memory_))
+                 : work(problem);
 }
 
 // Works on the rate problem with the iterates in `to`, and computes the images that follow. Sets w
@@ -143,6 +150,9 @@ CoupledStep::Response CoupledStep::respond(Effort effort, State const& from, dou
   auto const& settings = settings_.coupling;
   meanSlipRate(solver, mean_velocity_, slip_rate_);
   StepIterate now = {from, tau, mean_velocity_, slip_rate_, solver, friction, to};
+  if (equations_.opening() != nullptr) {
+    now.carried_across = equations_.opening()->carried();
+  }
   response.change = unknowns_.updateImages(FollowsFrom::fault, now, settings.norm);
   if (unknowns_.bodyIsDue(response.change, rate.converged, settings.tolerance)) {
     solver.velocity(w);

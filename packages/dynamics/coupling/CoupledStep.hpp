@@ -7,6 +7,7 @@
 #include "dynamics/coupling/StepEquations.hpp"
 #include "dynamics/coupling/StepUnknowns.hpp"
 #include "dynamics/fault/Fault.hpp"
+#include "dynamics/rate/OpeningProblem.hpp"
 #include "dynamics/rate/StepSolvers.hpp"
 
 #include <optional>
@@ -60,13 +61,13 @@ struct CoupledResult
 class CoupledStep
 {
 public:
-  // since_start: the reaction that the normal stress follows, unless it is fixed. body and fault
-  // must outlive the step.
+  // since_start: the reaction that the normal stress follows, unless it is fixed; that of a fault
+  // that may open follows it at once. body and fault must outlive the step.
   CoupledStep(Body const& body, Fault const& fault, StepSettings const& settings,
               ReactionSinceStart const& since_start = {});
   // The same with these unknowns in place of unknownsOf.
   CoupledStep(Body const& body, Fault const& fault, StepSettings const& settings,
-              StepUnknownList unknowns);
+              StepUnknownList unknowns, ReactionSinceStart const& since_start = {});
 
   // The unknowns of a body and its fault, see the constructors: alpha, the normal stress, those of
   // processes, and the inelastic strain.
@@ -141,5 +142,6 @@ private:
   // the slip rate (num_nodes).
   BlockView start_velocity_, mean_velocity_;
   NodeView slip_rate_;
+  std::optional<OpeningProblem::Memory> memory_; // if the fault may open
 };
 } // namespace asperity::dynamics

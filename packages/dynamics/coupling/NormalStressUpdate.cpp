@@ -14,6 +14,22 @@ void subtract(ConstNodeView const& b, NodeView const& r)
     "asperity::dynamics::reactionAcross", RangePolicy(0, r.extent(0)),
     KOKKOS_LAMBDA(int node) { r(node) -= b(node); });
 }
+
+// r := (r + carried) / 2 at nodes that may open
+void takeForceOfContact(ConstFlagView const& opens, ConstNodeView const& carried, NodeView const& r)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::forceOfContactInStep", RangePolicy(0, carried.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { r(node) = opens(node) ? (r(node) + carried(node)) / 2 : r(node); });
+}
+
+// result := the larger of a and b at each node
+void setLarger(ConstNodeView const& a, ConstNodeView const& b, NodeView const& result)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::largerStress", RangePolicy(0, result.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { result(node) = a(node) > b(node) ? a(node) : b(node); });
+}
 } // namespace
 
 NormalStressUpdate::NormalStressUpdate(Body const& body, Fault const& fault,
@@ -54,10 +70,21 @@ void NormalStressUpdate::begin(StepStart const& start)
     fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, sigma_n);
     break;
   case NormalStressChange::coupled:
-    setScaleOfStress(start.from.sigma_n, fault_.surface(), scale_);
+    setScaleOfStress(stressOfScale(start.from.sigma_n), fault_.surface(), scale_);
     limit(sigma_n);
     break;
   }
+}
+
+// The stress of a fault that is open is zero, but the one that it has when it closes decides what
+// matters: so that at the start counts, where it is larger.
+ConstNodeView NormalStressUpdate::stressOfScale(ConstNodeView const& sigma_n) const
+{
+  if (!fault_.surface().mayOpen()) {
+    return sigma_n;
+  }
+  setLarger(sigma_n, sigma_0_, R_);
+  return R_;
 }
 
 void NormalStressUpdate::setRightSide(Vector const& b)
@@ -72,6 +99,9 @@ int NormalStressUpdate::respond(StepIterate const& step, NodeView const& image)
   ASPERITY_TIME_WORK("normal stress");
   step.solver.reactions(R_);
   subtract(right_side_, R_);
+  if (step.carried_across.extent(0) > 0) {
+    takeForceOfContact(fault_.surface().openingNodes(), step.carried_across, R_);
+  }
   since_start_.reaction->compression(R_, R_);
   fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, image);
   return 0;

@@ -33,10 +33,12 @@ public:
   void setRightSide(Vector const& b) override;
   int respond(StepIterate const& step, NodeView const& image) override;
   void limit(NodeView const& sigma_n) const override;
-  // The scale of StressScale.hpp for sigma_n at the beginning of the step.
+  // The scale of StressScale.hpp for sigma_n at the beginning of the step or, of a fault that may
+  // open, for sigma_0 where that is larger.
   ConstNodeView scale() const override { return scale_; }
 
 private:
+  ConstNodeView stressOfScale(ConstNodeView const& sigma_n) const;
   bool coupled() const { return change_ == NormalStressChange::coupled; }
 
   Body const& body_;

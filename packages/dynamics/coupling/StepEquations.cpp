@@ -6,26 +6,30 @@
 
 namespace asperity::dynamics
 {
-StepEquations::StepEquations(Body const& body, fem::FaultSurface const& surface,
-                             RateUpdate const& update, StepUnknowns const& unknowns)
+StepEquations::StepEquations(Body const& body, Fault const& fault, RateUpdate const& update,
+                             StepUnknowns const& unknowns, ReactionSinceStart const& since_start)
     : body_(body)
-    , surface_(surface)
+    , surface_(fault.surface())
     , update_(update)
     , unknowns_(unknowns)
     , v_D_(body.vector())
     , u_hat_(body.vector())
     , a_hat_(body.vector())
     , b_(body.vector())
-    , b_without_unknowns_(unknowns.addForces() ? body.vector() : Teuchos::null)
+    , b_without_unknowns_(unknowns.addForces() || surface_.mayOpen() ? body.vector()
+                                                                     : Teuchos::null)
     , forces_(body.noForces())
-    , mean_offset_("asperity::dynamics::meanOffset", surface.numNodes(), surface.numTangents())
-    , prescribed_part_("asperity::dynamics::prescribedBeside", surface.numNodes(),
-                       surface.numTangents())
+    , mean_offset_("asperity::dynamics::meanOffset", surface_.numNodes(), surface_.numTangents())
+    , prescribed_part_("asperity::dynamics::prescribedBeside", surface_.numNodes(),
+                       surface_.numTangents())
     , u_(body.vector())
     , v_(body.vector())
     , a_(body.vector())
     , d_(body.branchVectors())
 {
+  if (surface_.mayOpen()) {
+    opening_.emplace(body, fault, update, since_start);
+  }
 }
 
 void StepEquations::begin(State const& from, double tau, double t0, double t1)
@@ -38,9 +42,15 @@ void StepEquations::begin(State const& from, double tau, double t0, double t1)
     has_prescribed_part_ = gatherPrescribedPart(surface_, *v_D_, prescribed_part_);
     setZeroSlipRate(surface_, *v_D_);
     body_.load(t1, *b_);
+    if (opening_) {
+      opening_->evaluate(t0, t1);
+    }
   });
 
   update_.predict(from, tau, *u_hat_, *a_hat_);
+  if (opening_) {
+    opening_->begin(from, tau, *u_hat_);
+  }
   update_.withVelocity(*v_D_, *u_hat_, *a_hat_, tau, *u_, *a_);
   RateUpdate::relax(body_.matrices, from, tau, *u_, d_);
   body_.computeForces({*u_, *v_D_, *a_, d_}, forces_);
@@ -61,6 +71,9 @@ Vector const& StepEquations::setRightSide(State const& to)
     unknowns_.addForces(to, *b_);
   }
   unknowns_.setRightSide(*b_);
+  if (opening_) {
+    opening_->add(to, *b_); // the unknowns have b without these forces, which are no reaction
+  }
   body_.clearHeld(*b_);
   return *b_;
 }

@@ -3,8 +3,10 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/RateUpdate.hpp"
 #include "dynamics/State.hpp"
+#include "dynamics/coupling/StepOpening.hpp"
 #include "dynamics/coupling/StepUnknowns.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace asperity::dynamics
@@ -19,9 +21,9 @@ namespace asperity::dynamics
 class StepEquations
 {
 public:
-  // All must outlive this.
-  StepEquations(Body const& body, fem::FaultSurface const& surface, RateUpdate const& update,
-                StepUnknowns const& unknowns);
+  // All but since_start must outlive this; that has a reaction if the fault may open.
+  StepEquations(Body const& body, Fault const& fault, RateUpdate const& update,
+                StepUnknowns const& unknowns, ReactionSinceStart const& since_start);
   StepEquations(StepEquations const&) = delete; // it refers to another member of a step
   StepEquations& operator=(StepEquations const&) = delete;
 
@@ -32,7 +34,8 @@ public:
   void begin(State const& from, double tau, double t0, double t1);
   // b(owned dofs) of the rate problem with the iterates of the unknowns in `to`:
   //   b = l(t1) - M a_D - C v_D - K u_D - sum of K_k d_D + forces of unknowns on the free dofs,
-  // where u_D, a_D and d_D follow from v_D by the rate update.
+  // where u_D, a_D and d_D follow from v_D by the rate update. Where the fault may open, the
+  // forces of StepOpening are added.
   Vector const& setRightSide(State const& to);
   // As setRightSide has left it.
   RCP<Vector> const& rightSide() const { return b_; }
@@ -43,6 +46,8 @@ public:
   void addPrescribed(Vector const& w, Vector& v) const;
   // The same problem where friction also depends on prescribed rates beside free ones.
   FrictionProblem withPrescribed(FrictionProblem const& friction) const;
+  // Null unless the fault may open.
+  StepOpening const* opening() const { return opening_ ? &*opening_ : nullptr; }
   // From the w of gatherSlip at the end of the step to its mean over the step, in place: blocks
   // (num_nodes, T) [m/s].
   void takeMean(BlockView const& blocks) const;
@@ -57,11 +62,12 @@ private:
   RateUpdate const& update_;
   StepUnknowns const& unknowns_;
   RCP<Vector> v_D_, u_hat_, a_hat_, b_;
-  RCP<Vector> b_without_unknowns_; // null if none adds forces
+  RCP<Vector> b_without_unknowns_; // null if none adds forces and the fault cannot open
   BodyForces forces_;
-  BlockView mean_offset_;            // the part of takeMean that w does not change
-  BlockView prescribed_part_;        // gatherPrescribedPart at the end of the step
-  bool has_prescribed_part_ = false; // whether it has any
+  BlockView mean_offset_;              // the part of takeMean that w does not change
+  BlockView prescribed_part_;          // gatherPrescribedPart at the end of the step
+  bool has_prescribed_part_ = false;   // whether it has any
+  std::optional<StepOpening> opening_; // if the fault may open
   // Memory that a function fills before it reads it: vectors of a large body are made once.
   RCP<Vector> u_, v_, a_;
   std::vector<RCP<Vector>> d_;

@@ -35,6 +35,7 @@ struct StepIterate
   FrictionProblem const& friction;   // with which the velocity was computed
   State const& to;                   // with the present iterates
   Vector const* u_in_body = nullptr; // (owned dofs) at the end of the step [m], see FollowsFrom
+  ConstNodeView carried_across = {}; // StepOpening::carried
 };
 
 // What an unknown of a step follows from, and so what its image costs.

@@ -43,9 +43,10 @@ NormalReaction::NormalReaction(Body const& body, fem::FaultSurface const& surfac
     for (int d = 0; d < components; ++d) {
       outward += frames.entry(vertex, component, d) * surface[i].normal[d];
     }
-    ASPERITY_ASSERT(!surface.slides(i) || body.held[dofs_.back()]);
+    const bool counts = surface.slides(i) || surface.opens(i);
+    ASPERITY_ASSERT(!counts || surface.opens(i) || body.held[dofs_.back()]);
     const double sign = outward > 0 ? 1 : -1;
-    per_force.push_back(surface.slides(i) ? -sign / support[i] : 0);
+    per_force.push_back(counts ? -sign / support[i] : 0);
   }
   dofs_on_device_ = toDevice(dofs_, "asperity::dynamics::dofsAcross");
   per_force_ = toDevice(per_force, "asperity::dynamics::compressionPerForce");
@@ -110,6 +111,20 @@ void NormalReaction::compression(ConstNodeView const& r, NodeView const& R) cons
   Kokkos::parallel_for(
     "asperity::dynamics::compression", RangePolicy(0, per_force.extent_int(0)),
     KOKKOS_LAMBDA(int node) { R(node) = per_force(node) * r(node); });
+}
+
+void NormalReaction::addCompression(ConstNodeView const& stress, Vector& b) const
+{
+  auto const values = b.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  auto const dofs = dofs_on_device_;
+  auto const per_force = per_force_;
+  Kokkos::parallel_for(
+    "asperity::dynamics::addCompression", RangePolicy(0, dofs.extent_int(0)),
+    KOKKOS_LAMBDA(int node) {
+      if (per_force(node) != 0) {
+        values(dofs(node), 0) -= stress(node) / per_force(node);
+      }
+    });
 }
 
 ReactionSinceStart reactionSince(Motion const& start, Body const& body,

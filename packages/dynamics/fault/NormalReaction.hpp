@@ -14,13 +14,14 @@ namespace asperity::dynamics
 // fault is held by the reaction r_i = [M a + C v + K u - l]_i:
 //   R_i = -(outward normal) . r_i / support_i [Pa], positive in compression.
 // The outward normal (FaultNode::normal) is that of the body; between two bodies, of the one on the
-// plus side. R_i = 0 where friction does not decide on the motion of the node. Fault nodes are in
-// the order of the surface.
+// plus side. R_i = 0 where friction does not decide on the motion of the node and that cannot open.
+// Where a fault may open, r_i is the force across that an open fault has to bear. Fault nodes are
+// in the order of the surface.
 class NormalReaction
 {
 public:
   // support(num_nodes): what a reaction is spread over, see fem::supportWeights. The component
-  // across the fault must be held at each node that slides.
+  // across the fault must be held at each node that slides and cannot open.
   NormalReaction(Body const& body, fem::FaultSurface const& surface, fem::NodalFrames const& frames,
                  std::vector<double> const& support);
   // The same reaction in another body, whose dofs across the fault are these (num_nodes).
@@ -38,6 +39,8 @@ public:
   void gather(Vector const& x, NodeView const& r) const;
   // R(num_nodes) of the reactions r(num_nodes), which may be the same view.
   void compression(ConstNodeView const& r, NodeView const& R) const;
+  // b(owned dofs) += the forces of a stress(num_nodes) [Pa] that presses the sides together.
+  void addCompression(ConstNodeView const& stress, Vector& b) const;
 
 private:
   Body body_;

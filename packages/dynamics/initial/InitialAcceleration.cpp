@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
+#include "dynamics/rate/OpeningProblem.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
 
@@ -97,7 +98,11 @@ RCP<Vector> accelerationUnder(Vector const& b, Body const& body, Fault const& fa
   solver->begin(b, *a);
   auto const kernels = fault.frictionWith(strength);
   const NodeView no_stress("asperity::dynamics::noStress", surface.numNodes());
-  auto const result = solver->solve({*kernels, {alpha, no_stress}});
+  const FrictionProblem friction = {*kernels, {alpha, no_stress}};
+  const OpeningProblem::Memory memory(surface.numNodes(), surface.numTangents());
+  auto const result = surface.mayOpen()
+                        ? solver->solve(OpeningProblem(friction, shut(surface.numNodes()), memory))
+                        : solver->solve(friction);
   if (!result.converged) {
     std::ostringstream message;
     message << "The initial acceleration was not found: TNNMG did not converge on the balance of "

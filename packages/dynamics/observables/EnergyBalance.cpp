@@ -77,6 +77,15 @@ void setForce(fem::FaultSurface const& surface, IndexView const& held, ConstBloc
     KOKKOS_LAMBDA(int i) { force(held(i), 0) = residual(held(i)); });
 }
 
+// Sets the result at these dofs to the residual, which contact balances.
+void setForceOfContact(IndexView const& across, Residual const& residual, Vector& result)
+{
+  auto const force = result.getLocalViewDevice(Tpetra::Access::ReadWrite);
+  Kokkos::parallel_for(
+    "asperity::dynamics::forceOfContact", RangePolicy(0, across.extent_int(0)),
+    KOKKOS_LAMBDA(int i) { force(across(i), 0) = residual(across(i)); });
+}
+
 // What friction and radiation damping dissipate because plates move along the fault.
 struct TakenFromPlates
 {
@@ -117,9 +126,9 @@ TakenFromPlates takenFromPlates(fem::FaultSurface const& surface, ConstNodeView 
 }
 } // namespace
 
-std::array<Energy::Member, 9> const& Energy::members()
+std::array<Energy::Member, 10> const& Energy::members()
 {
-  static constexpr std::array<Member, 9> all = {
+  static constexpr std::array<Member, 10> all = {
     {{"kinetic", &Energy::kinetic},
      {"elastic", &Energy::elastic},
      {"load_work", &Energy::load_work},
@@ -127,12 +136,14 @@ std::array<Energy::Member, 9> const& Energy::members()
      {"friction_work", &Energy::friction_work},
      {"viscous_work", &Energy::viscous_work},
      {"inelastic_work", &Energy::inelastic_work},
+     {"contact_work", &Energy::contact_work},
      {"numerical_dissipation", &Energy::numerical_dissipation},
      {"defect", &Energy::defect}}};
   return all;
 }
 
-EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock)
+EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock,
+                             ReactionSinceStart const& since_start)
     : body_(body)
     , fault_(fault)
     , clock_(clock)
@@ -147,12 +158,21 @@ EnergyBalance::EnergyBalance(Body const& body, Fault const& fault, DyadicTime co
                fault.surface().numTangents(), fault.surface().numTangents())
     , kinked_("asperity::dynamics::kinked", fault.surface().numNodes())
 {
-  std::vector<int> dofs;
-  for (auto const& node : fault.surface()) {
-    std::copy_if(node.dofs.begin(), node.dofs.end(), std::back_inserter(dofs),
+  auto const& surface = fault.surface();
+  std::vector<int> dofs, across;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    auto const& of_node = surface[node].dofs;
+    std::copy_if(of_node.begin(), of_node.end(), std::back_inserter(dofs),
                  [&](int dof) { return !body.held[dof]; });
+    if (surface.opens(node)) {
+      across.push_back(surface[node].across);
+    }
   }
   fault_dofs_ = toDevice(dofs, "asperity::dynamics::faultDofs");
+  dofs_across_ = toDevice(across, "asperity::dynamics::dofsAcross");
+  if (surface.mayOpen()) {
+    opening_.emplace(fault, since_start);
+  }
 }
 
 EnergyBalance::Snapshot EnergyBalance::snapshot() const
@@ -167,6 +187,10 @@ void EnergyBalance::fill(State const& state, Snapshot& result)
   Tpetra::deep_copy(*result.v, *state.v);
   result.time = state.time;
   body_.load(clock_.seconds(state.time), *result.load);
+  if (opening_) {
+    opening_->evaluate(clock_.seconds(state.time));
+    opening_->add(state, *result.load);
+  }
   body_.computeForces(state.motion(), result.resisting, momentum_.get());
   result.elastic = 0.5 * result.resisting.elastic->dot(*state.u);
   for (std::size_t k = 0; k < result.d.size(); ++k) {
@@ -189,10 +213,12 @@ void EnergyBalance::fillForce(State const& state, Snapshot const& at)
   fault_.friction().linearise(w_, {state.alpha_of_rate, fault_.given(state).sigma_n}, gradient_,
                               hessian_, kinked_);
   at.force->putScalar(0);
-  setForce(surface, body_.held.ownedOnDevice(), w_, gradient_,
-           {reading(*at.load), reading(*at.resisting.inertial), reading(*at.resisting.viscous),
-            reading(*at.resisting.elastic)},
-           *at.force);
+  const Residual residual = {reading(*at.load), reading(*at.resisting.inertial),
+                             reading(*at.resisting.viscous), reading(*at.resisting.elastic)};
+  setForce(surface, body_.held.ownedOnDevice(), w_, gradient_, residual, *at.force);
+  if (opening_) {
+    setForceOfContact(dofs_across_, residual, *at.force);
+  }
 }
 
 void EnergyBalance::start(State const& state)
@@ -245,6 +271,7 @@ EnergyBalance::Works EnergyBalance::worksOfStep() const
     works.inelastic = sumOfAll(num_dofs, work);
   }
   works.friction = sumAt(fault_dofs_, force);
+  works.contact = opening_ ? sumAt(dofs_across_, force) : 0;
   works.boundary = -sumAt(body_.held.ownedOnDevice(), force);
   if (fault_.surface().hasPlateRate()) {
     const double tau = clock_.seconds(after_.time - before_.time);
@@ -274,9 +301,9 @@ Energy const& EnergyBalance::advance(State const& state)
     jump();
   }
   auto const mine = worksOfStep();
-  auto const [load, boundary, friction, viscous, of_forces, inertial] =
-    sumOverRanks(std::array<double, 6>{mine.load, mine.boundary, mine.friction, mine.viscous,
-                                       mine.inelastic, mine.inertial},
+  auto const [load, boundary, friction, viscous, of_forces, inertial, contact] =
+    sumOverRanks(std::array<double, 7>{mine.load, mine.boundary, mine.friction, mine.viscous,
+                                       mine.inelastic, mine.inertial, mine.contact},
                  *body_.dofs->communicator());
   const double inelastic = of_forces - (after_.inelastic - before_.inelastic);
   const double of_kinetic = after_.kinetic - before_.kinetic;
@@ -289,8 +316,10 @@ Energy const& EnergyBalance::advance(State const& state)
   energy_.friction_work += friction;
   energy_.viscous_work += viscous;
   energy_.inelastic_work += inelastic;
+  energy_.contact_work += contact;
   energy_.numerical_dissipation += numerical;
-  energy_.defect += change - (load + boundary - friction - viscous - inelastic - numerical);
+  energy_.defect +=
+    change - (load + boundary - friction - viscous - inelastic - numerical - contact);
   std::swap(before_, after_);
   return energy_;
 }

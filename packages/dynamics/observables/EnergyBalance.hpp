@@ -3,8 +3,10 @@
 #include "dynamics/Body.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/fault/Fault.hpp"
+#include "dynamics/fault/OpeningForces.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace asperity::dynamics
@@ -20,12 +22,13 @@ struct Energy
   double friction_work = 0;  // dissipated on the fault
   double viscous_work = 0;   // dissipated in the body, by radiation damping and by dashpots
   double inelastic_work = 0; // dissipated by rock that yields
+  double contact_work = 0;   // dissipated where the sides of a fault meet or part
   // By the time scheme; may be negative for a while. Includes the energy that a quasi-dynamic body
   // loses in the first step if it starts out of balance.
   double numerical_dissipation = 0;
   // Change of kinetic and elastic energy minus (load_work + boundary_work - friction_work -
-  // viscous_work - inelastic_work - numerical_dissipation): the error that the tolerances of the
-  // solvers leave.
+  // viscous_work - inelastic_work - numerical_dissipation - contact_work): the error that the
+  // tolerances of the solvers leave.
   double defect = 0;
 
   struct Member
@@ -33,7 +36,7 @@ struct Energy
     char const* name;
     double Energy::*value;
   };
-  static std::array<Member, 9> const& members();
+  static std::array<Member, 10> const& members();
 };
 
 // The balance of energy from step to step, with du = u1 - u0, dv = v1 - v0 and means over the ends
@@ -47,6 +50,12 @@ struct Energy
 // with beta = 1/4 (README.md). Under back slip the fault slips by Vp tau more than the bodies move:
 // what friction and radiation damping dissipate in this slip is work of the plates.
 //
+// On a fault that may open the forces of OpeningForces are loads, and -f at the dofs across is the
+// stress of contact times its support. The mean of it over the ends of a step times the change of
+// the opening is the work of contact: zero where the fault stays shut or open. With the trapezoidal
+// rule that mean is the force of contact in the step (StepOpening), and its work never negative;
+// otherwise it is where the fault closes, and of the opposite sign where it opens.
+//
 // A quasi-dynamic body cannot stay out of balance: if r0 = l - C v - K u - f is not zero at the
 // start, then velocity and forces jump at once. The first step is driven by the forces after the
 // jump, for which the mean over its ends takes f + r0 in place of f at its beginning:
@@ -56,7 +65,9 @@ struct Energy
 class EnergyBalance
 {
 public:
-  EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock);
+  // since_start has a reaction if the fault may open.
+  EnergyBalance(Body const& body, Fault const& fault, DyadicTime const& clock,
+                ReactionSinceStart const& since_start = {});
 
   // Begins a run at a state.
   void start(State const& state);
@@ -70,8 +81,8 @@ public:
   Energy const& advance(State const& state);
   Energy const& energy() const { return energy_; }
   Fault const& fault() const { return fault_; }
-  // Friction forces on the fault and reactions at held dofs, at the last state [N per unit of
-  // thickness].
+  // Friction forces on the fault and reactions at held dofs, and forces of contact where a fault
+  // may open, at the last state [N per unit of thickness].
   Vector const& force() const { return *before_.force; }
   // w(num_nodes, T) of gatherSlip at the last state.
   ConstBlockView slipVelocity() const { return w_; }
@@ -89,7 +100,8 @@ private:
   // Works of one step.
   struct Works
   {
-    double load = 0, boundary = 0, friction = 0, viscous = 0, inelastic = 0, inertial = 0;
+    double load = 0, boundary = 0, friction = 0, viscous = 0, inelastic = 0, inertial = 0,
+           contact = 0;
   };
   Snapshot snapshot() const;
   void fill(State const& state, Snapshot& result);
@@ -100,7 +112,9 @@ private:
   Body const& body_;
   Fault const& fault_;
   DyadicTime clock_;
-  IndexView fault_dofs_; // that are not held
+  IndexView fault_dofs_;                 // that are not held
+  IndexView dofs_across_;                // that are not held, where the fault may open
+  std::optional<OpeningForces> opening_; // if the fault may open
   Snapshot before_, after_;
   RCP<Vector> momentum_;
   RCP<Vector> start_residual_; // r0, until the first step is made; null if there is none

@@ -1,6 +1,8 @@
 #include "dynamics/observables/FaultSample.hpp"
 
+#include "base/parallel/Reductions.hpp"
 #include "dynamics/fault/FaultMotion.hpp"
+#include "dynamics/fault/OpeningForces.hpp"
 
 #include <Tpetra_Vector.hpp>
 
@@ -111,6 +113,24 @@ FaultSample::Values const& FaultSample::slipVelocity() const
   return once(known_.slip_velocity, [this] {
     return written(balance_->slipVelocity(), [this](int) { return surface_.slipFactor(); });
   });
+}
+
+FaultSample::Values const& FaultSample::opening() const
+{
+  return once(known_.opening, [this] { return toVector(openingOf(surface_, *state_->u)); });
+}
+
+// A fault that is shut has an opening of rounding, of either sign: it counts as open where it does
+// not bear a normal stress beyond the pressure of fluids.
+double FaultSample::shareOpen() const
+{
+  auto const& open = opening();
+  auto const& stress = effectiveStress();
+  double mine = 0;
+  for (int node = 0; node < surface_.numNodes(); ++node) {
+    mine += open[node] > 0 && !(stress[node] > 0) ? surface_[node].weight : 0;
+  }
+  return sumOverRanks(mine, *surface_.communicator()) / surface_.totalWeight();
 }
 
 FaultSample::Values const& FaultSample::traction() const

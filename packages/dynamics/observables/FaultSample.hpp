@@ -33,13 +33,17 @@ public:
   Values const& effectiveStress() const; // (num_nodes) [Pa], Fault::effectiveStress
   Values const& slip() const;            // (num_nodes, numComponents()) [m], with that of plates
   Values const& slipVelocity() const;    // (num_nodes, numComponents()) [m/s], with that of plates
-  Values const& traction() const;        // (num_nodes, numComponents()) [Pa], which friction bears
+  // On a fault that may open: the opening (num_nodes) [m], and the part of the fault's measure that
+  // is open, which is collective.
+  Values const& opening() const;
+  double shareOpen() const;
+  Values const& traction() const; // (num_nodes, numComponents()) [Pa], which friction bears
 
 private:
   struct Quantities
   {
     std::optional<Values> slip_rate, alpha, normal_stress, effective_stress, slip, slip_velocity,
-      traction;
+      traction, opening;
     std::optional<NodeView> V;
     std::optional<double> peak;
   };

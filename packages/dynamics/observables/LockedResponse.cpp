@@ -1,35 +1,23 @@
 #include "dynamics/observables/LockedResponse.hpp"
 
+#include "dynamics/initial/WithHeld.hpp"
 #include "fem/inelastic/InelasticCells.hpp"
 
 #include <Tpetra_CrsMatrix.hpp>
-#include <Tpetra_Import.hpp>
+
+#include <utility>
+#include <vector>
 
 namespace asperity::dynamics
 {
 Body lockedAt(fem::FaultSurface const& surface, Body body)
 {
-  auto const owned = body.vector();
-  {
-    auto const flags = owned->getLocalViewHost(Tpetra::Access::ReadWrite);
-    for (const int dof : body.held.owned()) {
-      flags(dof, 0) = 1;
-    }
-    for (auto const& node : surface) {
-      for (const int dof : node.dofs) {
-        flags(dof, 0) = 1;
-      }
-    }
+  std::vector<int> dofs;
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    auto const unknowns = surface.unknownsOf(node);
+    dofs.insert(dofs.end(), unknowns.begin(), unknowns.end());
   }
-  Vector with_ghosts(body.dofs->overlap());
-  body.dofs->shareWithGhosts(*owned, with_ghosts);
-  auto const flags = with_ghosts.getLocalViewHost(Tpetra::Access::ReadOnly);
-  std::vector<int> held(flags.extent(0));
-  for (std::size_t dof = 0; dof < held.size(); ++dof) {
-    held[dof] = flags(dof, 0) != 0 ? 1 : 0;
-  }
-  body.held = fem::HeldDofs(std::move(held), body.numOwnedDofs());
-  return body;
+  return withHeld(std::move(body), dofs);
 }
 
 LockedResponse::LockedResponse(Body const& body, fem::FaultSurface const& surface,

@@ -27,6 +27,6 @@ private:
   StaticSolver solver_;
 };
 
-// The body whose fault is held along all its tangents. Collective.
+// The body whose fault neither slips nor opens. Collective.
 Body lockedAt(fem::FaultSurface const& surface, Body body);
 } // namespace asperity::dynamics

@@ -13,4 +13,12 @@ inline void subtractPressure(NodeView const& sigma_n, ConstNodeView const& p)
       sigma_n(node) = sigma_n(node) > p(node) ? sigma_n(node) - p(node) : 0;
     });
 }
+
+// sum := sum + p, (num_nodes) [Pa].
+inline void addToPressure(ConstNodeView const& p, NodeView const& sum)
+{
+  Kokkos::parallel_for(
+    "asperity::dynamics::sumOfPressures", RangePolicy(0, sum.extent_int(0)),
+    KOKKOS_LAMBDA(int node) { sum(node) += p(node); });
+}
 } // namespace asperity::dynamics

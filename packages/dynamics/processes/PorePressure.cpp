@@ -158,6 +158,10 @@ public:
   {
     subtractPressure(sigma_n, state.at(field_name));
   }
+  void addPressure(State const& state, NodeView const& p) const override
+  {
+    addToPressure(state.at(field_name), p);
+  }
 
 private:
   using Fixed = std::vector<bool>;

@@ -221,6 +221,10 @@ public:
   {
     subtractPressure(sigma_n, unknown_->valuesIn(state));
   }
+  void addPressure(State const& state, NodeView const& p) const override
+  {
+    addToPressure(unknown_->valuesIn(state), p);
+  }
 
 private:
   std::shared_ptr<const ShearZone> zone_;

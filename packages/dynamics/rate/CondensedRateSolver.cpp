@@ -21,8 +21,9 @@ namespace
 std::vector<int> rowsOf(fem::FaultSurface const& surface)
 {
   std::vector<int> rows;
-  for (auto const& node : surface) {
-    rows.insert(rows.end(), node.dofs.begin(), node.dofs.end());
+  for (int node = 0; node < surface.numNodes(); ++node) {
+    auto const unknowns = surface.unknownsOf(node);
+    rows.insert(rows.end(), unknowns.begin(), unknowns.end());
   }
   return rows;
 }
@@ -33,12 +34,12 @@ std::shared_ptr<const tnnmg::DenseRateMatrix> condensed(tnnmg::SchurComplement c
 {
   std::vector<int> held;
   for (int node = 0; node < surface.numNodes(); ++node) {
-    for (int k = 0; k < surface.numTangents(); ++k) {
-      held.push_back(surface.held(node, k) ? 1 : 0);
+    for (const int dof : surface.unknownsOf(node)) {
+      held.push_back(surface.isHeld(dof) ? 1 : 0);
     }
   }
   return std::make_shared<tnnmg::DenseRateMatrix>(schur.matrix(), schur.map(),
-                                                  surface.numTangents(), held);
+                                                  surface.numUnknowns(), held);
 }
 
 class CondensedRateSolver final : public TnnmgRateSolver

@@ -32,6 +32,7 @@ struct RateSolverSettings
 // Solves rate problems (Pipping 2014, problem 4.2) with one matrix Z and one right side, but
 // changing states:
 //   w = argmin 1/2 <Z w, w> - <b, w> + sum of psi_i(w_i, alpha_i), w = 0 at held dofs.
+// psi has the unknowns of the surface: FrictionProblem, or OpeningProblem if that may open.
 class RateSolver
 {
 public:
@@ -40,10 +41,11 @@ public:
   // Sets a new right side (zero at held dofs) and a first guess for w.
   virtual void begin(Vector const& b, Vector const& guess) = 0;
   // Solves a rate problem, starting from the last answer.
-  virtual tnnmg::TnnmgResult solve(FrictionProblem const& problem) = 0;
+  virtual tnnmg::TnnmgResult solve(tnnmg::NodalProblem const& problem) = 0;
   // Makes one iteration of TNNMG from the last answer.
-  virtual tnnmg::TnnmgResult improve(FrictionProblem const& problem) = 0;
-  // The last answer w: at the fault nodes, (num_nodes, T), and at all owned dofs.
+  virtual tnnmg::TnnmgResult improve(tnnmg::NodalProblem const& problem) = 0;
+  // The last answer w: at the fault nodes, the tangential components (num_nodes, T), and at all
+  // owned dofs.
   virtual void faultVelocity(BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
   // The same at those dofs alone where it is known without further work, the fault's at least.

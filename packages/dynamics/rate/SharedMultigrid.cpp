@@ -34,7 +34,7 @@ std::vector<tnnmg::MultigridTerms::MatrixSource> termsOf(Body const& body, bool 
 
 tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface)
 {
-  return {surface.dofs(), surface.heldDofs(), surface.colours()};
+  return {surface.unknowns(), surface.heldDofs(), surface.colours()};
 }
 
 tnnmg::MultigridProblem multigridProblem(RCP<const CrsMatrix> const& Z, Body const& body,

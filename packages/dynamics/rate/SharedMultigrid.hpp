@@ -8,6 +8,7 @@
 
 namespace asperity::dynamics
 {
+// The unknowns of the fault's nodes.
 tnnmg::NonlinearNodes nodesOf(fem::FaultSurface const& surface);
 // What multigrid needs to know about a Z of the body.
 tnnmg::MultigridProblem multigridProblem(RCP<const CrsMatrix> const& Z, Body const& body,

@@ -13,15 +13,23 @@ namespace asperity::dynamics
 class TnnmgRateSolver : public RateSolver
 {
 public:
-  tnnmg::TnnmgResult solve(FrictionProblem const& problem) override
+  tnnmg::TnnmgResult solve(tnnmg::NodalProblem const& problem) override
   {
     return tnnmg_.solve(problem);
   }
-  tnnmg::TnnmgResult improve(FrictionProblem const& problem) override
+  tnnmg::TnnmgResult improve(tnnmg::NodalProblem const& problem) override
   {
     return tnnmg_.improve(problem);
   }
-  void faultVelocity(BlockView const& w) const override { Kokkos::deep_copy(w, tnnmg_.vAtNodes()); }
+  void faultVelocity(BlockView const& w) const override
+  {
+    auto const& all = tnnmg_.vAtNodes();
+    if (all.extent(1) == w.extent(1)) {
+      Kokkos::deep_copy(w, all);
+    } else {
+      Kokkos::deep_copy(w, Kokkos::subview(all, Kokkos::ALL, std::pair(0, w.extent_int(1))));
+    }
+  }
 
 protected:
   TnnmgRateSolver(std::shared_ptr<const tnnmg::RateMatrix> const& Z,

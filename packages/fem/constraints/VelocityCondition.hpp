@@ -103,8 +103,8 @@ struct ContactAcrossFault
   Boundaries continuations; // the normal is the mean over their facets, too
 };
 
-// No equation: the body moves freely across the fault, or across its continuation. The frames of
-// the nodes follow n.
+// No equation: the body, or one side of a fault inside it, moves freely across the fault, or across
+// its continuation. The frames of the nodes follow n.
 struct FreeAcrossFault
 {
   static constexpr auto normal = Normal::of_fault;

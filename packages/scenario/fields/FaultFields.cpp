@@ -15,7 +15,7 @@ using dynamics::FaultSample;
 // The choices of a deck on which it depends which fields a fault has.
 struct GivenFriction
 {
-  bool has_state, has_normal_stress;
+  bool has_state, has_normal_stress, may_open;
   std::string state_variable; // of the law
 };
 
@@ -48,6 +48,10 @@ void registerSample(io::FieldRegistry& registry, RunView const& view, GivenFrict
   }
   if (components > 1) {
     quantities.push_back(slip_velocity);
+  }
+  if (given.may_open) {
+    quantities.push_back(
+      {"opening", "m", "Opening: how far the two sides are apart.", 1, &FaultSample::opening});
   }
   for (auto const& quantity : quantities) {
     registry.add(io::OutputField{
@@ -147,7 +151,7 @@ void registerFaultFields(io::FieldRegistry& registry, Problem<Dim> const& proble
   registerSample(registry, view,
                  {laws.hasState(),
                   laws.hasFrictionLaw() || problem.settings.friction.gives_normal_stress,
-                  laws.frictionLaw().state_variable});
+                  problem.surface().mayOpen(), laws.frictionLaw().state_variable});
   registerState(registry, problem, view);
   registerAddedFields(registry, problem.model.initial, problem.model.fault, view);
   registerFaultConstants(registry, problem);

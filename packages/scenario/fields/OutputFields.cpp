@@ -17,7 +17,8 @@ void registerFields(io::FieldRegistry& registry, Problem<Dim> const& problem, Ru
   for (auto const& [name, domain] : domains) {
     registerMotion(registry, problem, view, domain);
   }
-  registerScalars(registry, view, Dim, problem.model.body.cells != nullptr);
+  registerScalars(registry, view, Dim, problem.model.body.cells != nullptr,
+                  problem.surface().mayOpen());
   registerLockedResponse(registry, problem, view, domains);
   registerStress(registry, problem, view, domains, planes);
 }

@@ -3,7 +3,7 @@
 namespace asperity::scenario
 {
 void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimension,
-                     bool has_yielding_rock)
+                     bool has_yielding_rock, bool may_open)
 {
   auto const add = [&](char const* name, char const* unit, char const* meaning, auto value) {
     registry.add(io::OutputScalar{name, unit, meaning, value});
@@ -33,6 +33,10 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
     add("share_on_floor", "", "Part of the fault whose normal stress is on its floor.",
         [&view] { return view.floor_count->share(); });
   }
+  if (may_open) {
+    add("share_open", "", "Part of the fault that is open.",
+        [&view] { return view.fault->shareOpen(); });
+  }
 
   auto const energy = [&](char const* name, char const* meaning, double dynamics::Energy::*member) {
     // Slip and moment, in contrast, are those of the whole fault.
@@ -56,6 +60,11 @@ void registerScalars(io::FieldRegistry& registry, RunView const& view, int dimen
   if (has_yielding_rock) {
     energy("inelastic_work", "Energy dissipated by rock that yields since the start.",
            &dynamics::Energy::inelastic_work);
+  }
+  if (may_open) {
+    energy("contact_work",
+           "Energy dissipated where the sides of the fault meet or part since the start.",
+           &dynamics::Energy::contact_work);
   }
   energy("numerical_dissipation", "Energy dissipated by the time integrator since the start.",
          &dynamics::Energy::numerical_dissipation);

@@ -5,6 +5,7 @@
 #include "fem/BoundaryMeasure.hpp"
 #include "mesh/Boundaries.hpp"
 #include "parameters/ParameterValue.hpp"
+#include "scenario/problem/OpeningRequirements.hpp"
 #include "scenario/setup/TimeSetup.hpp"
 #include "scenario/setup/conditions/BoundaryChecks.hpp"
 #include "scenario/setup/conditions/ConditionTypes.hpp"
@@ -79,6 +80,7 @@ Discretisation<Dim> discretise(DeckSettings const& settings,
   requireOwnFacets(conditions, mesh, *communicator);
   requirePlaneOfMirror(conditions, mesh, *communicator);
   requireFreeFault(boundary, mesh, components, *communicator);
+  requireNoJunction(boundary, mesh, *communicator);
   if (!boundary.surface.empty()) {
     fem::boundaryMeasure(mesh, boundary.surface, *communicator); // refuses one without facets
   }

@@ -5,6 +5,7 @@
 #include "scenario/problem/FaultAtStart.hpp"
 #include "scenario/problem/InitialState.hpp"
 #include "scenario/problem/LoadedBody.hpp"
+#include "scenario/problem/OpeningRequirements.hpp"
 #include "scenario/problem/StartRequirements.hpp"
 #include "scenario/problem/StaticStart.hpp"
 #include "scenario/setup/SolverSetup.hpp"
@@ -60,6 +61,7 @@ Problem<Dim> makeProblem(ParameterList const& deck, RCP<const Communicator> cons
   // 4. The fault under the normal stress at the start.
   auto const start = staticStart(context, loaded.body, *loaded.static_load);
   auto [fault, laws, warnings_of_stress] = makeFault(context, start.normal_stress);
+  requireOpening(context, fault);
 
   // 5. The state at the start.
   auto initial =

@@ -2,10 +2,13 @@
 
 #include "dynamics/initial/StaticNormalStress.hpp"
 #include "dynamics/initial/StaticSolver.hpp"
+#include "dynamics/initial/WithHeld.hpp"
 #include "fem/SupportWeights.hpp"
 #include "scenario/problem/StartRequirements.hpp"
 
 #include <Tpetra_Vector.hpp>
+
+#include <vector>
 
 namespace asperity::scenario
 {
@@ -19,6 +22,16 @@ bool isStressGiven(SetupContext<Dim> const& context)
   auto const& settings = context.settings;
   return settings.friction.gives_normal_stress || !settings.friction.laws.hasFrictionLaw() ||
          context.site.surface->numGlobalNodes() == 0;
+}
+
+// The body whose fault does not open.
+dynamics::Body withFaultShut(fem::FaultSurface const& surface, dynamics::Body const& body)
+{
+  std::vector<int> across;
+  for (auto const& node : surface) {
+    across.push_back(node.across);
+  }
+  return dynamics::withHeld(body, across);
 }
 } // namespace
 
@@ -36,8 +49,9 @@ StaticStart staticStart(SetupContext<Dim> const& context, dynamics::Body const& 
   if (!has_load || (stress_given && !start_static)) {
     return start;
   }
-  requireStaticSolution(discretisation, body, stress_given);
-  auto const u = dynamics::StaticSolver(body, context.solver).solve(load);
+  auto const at_rest = surface.mayOpen() ? withFaultShut(surface, body) : body;
+  requireStaticSolution(discretisation, at_rest, stress_given);
+  auto const u = dynamics::StaticSolver(at_rest, context.solver).solve(load);
   if (!stress_given) {
     auto const support =
       fem::supportWeights(discretisation.mesh, surface, discretisation.boundary.velocities);

@@ -15,13 +15,14 @@ void writeBalance(std::ostream& text, dynamics::Energy const& energy, char const
   // This is how the defect is defined. All terms count from the start of the run, also after a
   // restart.
   const double change = energy.boundary_work + energy.load_work - energy.friction_work -
-                        energy.viscous_work - energy.inelastic_work - energy.numerical_dissipation +
-                        energy.defect;
+                        energy.viscous_work - energy.inelastic_work - energy.contact_work -
+                        energy.numerical_dissipation + energy.defect;
   text << "Energy [" << unit << "]: work of boundaries " << formatShort(energy.boundary_work)
        << " and loads " << formatShort(energy.load_work) << "; taken by friction "
        << formatShort(energy.friction_work) << ", viscosity " << formatShort(energy.viscous_work)
        << (energy.inelastic_work != 0 ? ", rock that yields " + formatShort(energy.inelastic_work)
                                       : "")
+       << (energy.contact_work != 0 ? ", contact " + formatShort(energy.contact_work) : "")
        << " and the time stepping " << formatShort(energy.numerical_dissipation)
        << "; change of kinetic and elastic energy " << formatShort(change)
        << ", which includes a defect of the balance of " << formatShort(energy.defect);
@@ -36,7 +37,7 @@ std::optional<Warning> warnOfDefect(dynamics::Energy const& energy)
 {
   const double largest = std::max({std::abs(energy.boundary_work), std::abs(energy.load_work),
                                    std::abs(energy.friction_work), std::abs(energy.viscous_work),
-                                   std::abs(energy.inelastic_work),
+                                   std::abs(energy.inelastic_work), std::abs(energy.contact_work),
                                    std::abs(energy.numerical_dissipation), energy.kinetic});
   const double defect = std::abs(energy.defect);
   const bool is_rounding = defect <= 1e-9 * (energy.kinetic + std::abs(energy.elastic));

@@ -26,7 +26,7 @@ std::unique_ptr<dynamics::StaticCondensation> makeCondensation(Problem<Dim> cons
 {
   const bool is_wanted = problem.settings.solver.may_condense &&
                          problem.solver.correction == dynamics::Correction::direct;
-  if (!is_wanted || problem.surface().numGlobalNodes() == 0 ||
+  if (!is_wanted || problem.surface().numGlobalNodes() == 0 || problem.surface().mayOpen() ||
       !problem.discretisation.boundary.tractions.empty() ||
       !problem.discretisation.boundary.resistances.empty() || problem.model.body.cells ||
       problem.settings.bulk.hasGravity() || !boundariesMoveSteadily(problem)) {

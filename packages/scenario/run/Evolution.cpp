@@ -78,7 +78,7 @@ Evolution<Dim>::Evolution(Problem<Dim> const& problem, ParameterList const& deck
                                *coupled_step_,
                                {problem_.scales.waveRate(), model_.initial.u, leastMotion(problem_),
                                 [this](int vertex) { return placeOf(vertex); }}))
-    , balance_(model_.body, model_.fault, clock_)
+    , balance_(model_.body, model_.fault, clock_, model_.reaction)
     , state_(model_.initial.clone())
     , sample_(model_.fault.surface(), *model_.initial.u)
     , floor_count_(model_.fault)

@@ -32,7 +32,8 @@ Entries<SolverSettings> solverEntries(ParameterList& list)
     .choice("Static Condensation", &S::may_condense, {{"Auto", true}, {"Off", false}},
             "Auto: with the direct correction, a quasi-dynamic body without gravity, tractions on "
             "boundaries, viscosity or relaxation, whose boundaries move at constant velocities, is "
-            "condensed to its fault once for all steps, which changes only rounding errors. Off: "
+            "condensed to its fault once for all steps, unless that may open, which changes only "
+            "rounding errors. Off: "
             "every step has all unknowns.")
     .real("Memory Budget", &S::memory, "MB", Range::positive(),
           "Each rank keeps solvers of different step sizes up to this amount of memory. The least "

@@ -9,7 +9,7 @@ namespace asperity::scenario
 {
 void PressureWatch::note(dynamics::WatchedState const& now, dynamics::Notes& notes)
 {
-  if (has_warned_ || fault_.laws().processes.empty()) {
+  if (has_warned_ || fault_.laws().processes.empty() || fault_.surface().mayOpen()) {
     return;
   }
   auto const& surface = fault_.surface();

@@ -7,8 +7,8 @@
 
 namespace asperity::scenario
 {
-// Notes where processes on a fault, such as the pressure of a fluid, leave no normal stress to
-// friction.
+// Notes where processes on a fault that cannot open, such as the pressure of a fluid, leave no
+// normal stress to friction.
 class PressureWatch : public dynamics::Watch
 {
 public:

@@ -127,7 +127,7 @@ TensionWatch::Tension TensionWatch::tensionAt(Vector const& force, double time)
 
 void TensionWatch::note(dynamics::WatchedState const& watched, dynamics::Notes& notes)
 {
-  if (!since_start_.reaction || !(sliding_ > 0)) {
+  if (!since_start_.reaction || !(sliding_ > 0) || fault_.surface().mayOpen()) {
     return;
   }
   auto const now = tensionAt(watched.force, watched.time);

@@ -10,11 +10,12 @@
 
 namespace asperity::scenario
 {
-// Notes where a body pulls at its fault. The model does not let faults open: it holds them shut,
-// and a real one would open there. The tension is -(sigma_0 + R - R(start)), where R is the
-// compression that the body exerts, whether the normal stress of friction follows it or is fixed.
-// It counts where it is above 1 % of the largest normal stress of the fault, and above 10 % of the
-// largest shear stress, of friction or of the loads at the start: cells leave errors of that size.
+// Notes where a body pulls at its fault and the model does not let that open (Contact = Bilateral):
+// it holds the fault shut, and a real one would open there. The tension is
+// -(sigma_0 + R - R(start)), where R is the compression that the body exerts, whether the normal
+// stress of friction follows it or is fixed. It counts where it is above 1 % of the largest normal
+// stress of the fault, and above 10 % of the largest shear stress, of friction or of the loads at
+// the start: cells leave errors of that size.
 class TensionWatch : public dynamics::Watch
 {
 public:

@@ -18,6 +18,9 @@ CONDITIONS = "Asperity / Boundary Conditions"
 TWO_SIDED = {"Mesh/Faults/main": LEVEL, "Boundary Conditions/Fault/Boundary": "main",
              "Boundary Conditions/Fault/Type": "Two-Sided Fault"}
 
+OPENING = {**TWO_SIDED, "Boundary Conditions/Fault/Contact": "Unilateral",
+           "Friction/Normal Stress Change": "Coupled"}
+
 IN_TWO_PIECES = {**TWO_SIDED, "Mesh/Faults/main": f"{LEVEL} && x < 0.501",
                  "Mesh/Faults/rest": f"{LEVEL} && x > 0.499"}
 
@@ -62,6 +65,28 @@ class Conditions(FaultCase):
         self.refuse({**TWO_SIDED, **condition("Deep", "right", "Prescribed Slip Rate",
                                               **{"Slip Rate": 1e-6})},
                     f"{CONDITIONS} / Deep / Boundary = 'right' is no fault inside the body")
+
+    def test_a_fault_that_may_open(self):
+        for ranks in (1, 2):
+            self.assert_done(*self.arguments(OPENING), "--output", f"open_{ranks}", ranks=ranks)
+        why = "a fault has the Contact 'Unilateral'"
+        for scheme in ({"Time Stepping/Scheme": "Generalised Alpha"},
+                       {"Time Stepping/Scheme": "Newmark", "Time Stepping/Newmark/beta": 0.3}):
+            self.refuse({**OPENING, **scheme}, why, scheme["Time Stepping/Scheme"],
+                        "throw back", "'Newmark' with beta = 0.25")
+        self.refuse(without("Friction/Normal Stress Change", OPENING), why,
+                    "Normal Stress Change = Fixed", "Choose Coupled")
+        self.refuse({**OPENING, "Friction/Normal Stress Floor": 1}, why,
+                    "Normal Stress Floor = 1 Pa")
+        self.refuse({**OPENING, "Friction/Cohesion": "if(x > 0.4, 5, 0)"}, why,
+                    "Cohesion is 5 Pa at x = ")
+        crossing = condition("Second", "second", "Two-Sided Fault")
+        self.refuse({**OPENING, **crossing, "Mesh/Faults/second": UPRIGHT}, why,
+                    "at x = (0.5, 0.5) it meets another fault")
+        self.refuse({**OPENING, **crossing, "Mesh/Faults/second": f"{UPRIGHT} && y < 0.501"}, why,
+                    "at x = (0.5, 0.5) it meets another fault")
+        self.refuse({"Boundary Conditions/Fault/Contact": "Unilateral"},
+                    f"{CONDITIONS} / Fault / Contact has no effect", "'Two-Sided Fault'")
 
     def test_two_that_act_on_the_same_facets(self):
         """'load' and 'rim' have the facet of 'right' under other names."""

@@ -34,7 +34,7 @@ HOST = {
     "packages/dynamics/initial/StaticNormalStress.cpp": "set-up",
     "packages/dynamics/initial/InitialAlpha.cpp": "set-up",
     "packages/dynamics/initial/InitialAcceleration.cpp": "set-up",
-    "packages/dynamics/observables/LockedResponse.cpp": "set-up",
+    "packages/dynamics/initial/WithHeld.cpp": "set-up",
     "packages/dynamics/fault/NormalReaction.cpp": "set-up: rows of the matrices",
     "packages/dynamics/condensation/CondensedModel.cpp": "set-up of the condensed model",
     "packages/dynamics/condensation/StaticCondensation.cpp": "direct solver; checkpoints",

@@ -157,7 +157,7 @@ TEST(NormalReaction, ComesFromTheSolverWithoutItsWholeVelocity)
       b->scale(size);
       solver->begin(*b, *model.body.vector());
       for (int iteration = 0; iteration < 3; ++iteration) {
-        solver->improve({model.fault.friction(), {state.alpha, state.sigma_n}});
+        solver->improve(FrictionProblem(model.fault.friction(), {state.alpha, state.sigma_n}));
         Vector w(model.dofs->owned());
         solver->velocity(w);
         Vector expected(rows->getRangeMap());

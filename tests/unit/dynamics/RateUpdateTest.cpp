@@ -183,4 +183,15 @@ TEST(RateUpdate, WeightsAreTheDerivativesByTheNewVelocity)
     EXPECT_NEAR((high.u - low.u) / 2, update.stiffness_weight * tau, 1e-13) << update.name;
   }
 }
+
+TEST(RateUpdate, AllowsContactWithoutAccelerationsOfThePastOrByTheTrapezoidalRule)
+{
+  for (auto const& update :
+       {RateUpdate::newmark(0.25), RateUpdate::backwardEuler(), RateUpdate::generalisedAlpha(1)}) {
+    EXPECT_TRUE(update.allowsContact()) << update.name;
+  }
+  for (auto const& update : {RateUpdate::newmark(0.3), RateUpdate::generalisedAlpha(0.5)}) {
+    EXPECT_FALSE(update.allowsContact()) << update.name;
+  }
+}
 } // namespace asperity::dynamics

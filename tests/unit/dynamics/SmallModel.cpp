@@ -31,7 +31,10 @@ template <int Dim>
 std::vector<fem::VelocityCondition<Dim>> conditionsOf(OptionsIn<Dim> const& options)
 {
   auto conditions = options.conditions;
-  if (options.components == Dim) {
+  if (options.other_side.may_open) {
+    conditions.insert(conditions.begin(),
+                      {"Fault", options.fault, fem::FreeAcrossFault{{options.fault}}});
+  } else if (options.components == Dim) {
     conditions.insert(conditions.begin(), {"Fault", options.fault, fem::SlidingWall{}});
   }
   return conditions;
@@ -135,7 +138,7 @@ Fault ModelIn<Dim>::makeFault() const
            {},
            o.stress_sensitivity == 0 ? ConstNodeView()
                                      : nodeView([&](auto const&) { return o.stress_sensitivity; }),
-           {},
+           o.processes ? o.processes(*surface) : FaultProcesses(),
            {},
            regularisation},
           normal_stress};

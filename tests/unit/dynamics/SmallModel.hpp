@@ -44,6 +44,8 @@ struct OptionsIn
   double stress_sensitivity = 0; // c / b of Linker and Dieterich's term
   // L_pc [m] and T_pc [s] of a regularised normal stress.
   std::optional<std::array<double, 2>> regularisation = {};
+  // Made of the surface, in addition to the laws.
+  std::function<FaultProcesses(fem::FaultSurface const&)> processes = {};
   fem::OtherSide other_side = fem::OtherSide::rigid_foundation;
   std::string law = "Regularised", state_law = "Ageing";
 };

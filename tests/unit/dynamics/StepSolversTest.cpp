@@ -103,7 +103,8 @@ TEST(StepSolvers, SolveWithTheMatrixOfTheStepSize)
       auto& solver = solvers.at(level);
       solver.begin(*b, *guess);
       EXPECT_TRUE(
-        solver.solve({model.fault.friction(), {alpha, model.restingState().sigma_n}}).converged);
+        solver.solve(FrictionProblem(model.fault.friction(), {alpha, model.restingState().sigma_n}))
+          .converged);
       solver.velocity(*w);
       const Eigen::VectorXd expected = Z.lu().solve(denseOf(*b));
       EXPECT_LE((denseOf(*w) - expected).norm(), 1e-11 * expected.norm());

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <set>
 
 // Faults inside the body: what the unknowns at their nodes, mean and jump, mean.
 namespace asperity::fem
@@ -249,6 +250,59 @@ TEST(TwoSidedFault, HasOneSurfaceWithTwoCopiesOfEachNode)
     const double upper = std::sqrt(900 * 2e4), lower = std::sqrt(2700 * 4e4);
     EXPECT_NEAR(beside[node].shearImpedance(), 2 / (1 / upper + 1 / lower), 1e-9);
   }
+}
+
+// The unknown across a fault that may open is the opening, up to its sign, whichever way the fault
+// lies; the frames, also those of tips, are those of a fault that may not.
+template <int Dim>
+void expectOpening(GlobalMesh<Dim> const& mesh)
+{
+  const Constrained<Dim> body(mesh, {{"Fault", "fault", FreeAcrossFault{{"fault"}}}});
+  const Constrained<Dim> shut(mesh, contact<Dim>());
+  auto const matrices =
+    assembleBody<Dim>(body.mesh, body.dofs, body.constraints.frames(), twoMaterials(body.mesh));
+  auto side = OtherSide::body;
+  side.may_open = true;
+  auto const surface = makeFaultSurface(body.mesh, "fault", body.constraints, body.dofs,
+                                        *matrices.stiffness->getCrsGraph(), side);
+  ASSERT_EQ(surface->numUnknowns(), Dim);
+  std::set<int> tips;
+  for (auto const& split : body.mesh.splits) {
+    if (split.is_tip) {
+      tips.insert(split.plus);
+    }
+  }
+  for (int node = 0; node < surface->numNodes(); ++node) {
+    auto const& of_node = (*surface)[node];
+    const int plus = of_node.copies.front();
+    EXPECT_EQ(surface->opens(node), tips.count(plus) == 0);
+    for (int row = 0; row < Dim; ++row) {
+      for (int c = 0; c < Dim; ++c) {
+        EXPECT_EQ(body.constraints.frames().entry(plus, row, c),
+                  shut.constraints.frames().entry(plus, row, c));
+      }
+    }
+    // The plus side goes away from the minus side, where the normal points, and along the fault.
+    const auto x = unknowns(body, [&](int vertex) -> Point<3> {
+      Point<3> moved{};
+      for (int c = 0; c < Dim && vertex == plus && tips.count(plus) == 0; ++c) {
+        moved[c] = -2 * of_node.normal[c] + 5 * of_node.tangents[0][c];
+      }
+      return moved;
+    });
+    auto const values = x->getLocalViewHost(Tpetra::Access::ReadOnly);
+    EXPECT_NEAR(of_node.opening_sign * values(of_node.across, 0), surface->opens(node) ? 2 : 0,
+                1e-13);
+    EXPECT_EQ(surface->unknownsOf(node).back(), of_node.across);
+  }
+}
+
+TEST(TwoSidedFault, HasTheOpeningAsAnUnknown)
+{
+  expectOpening(cut(1, 3));
+  expectOpening(cut(0, 3, 0.4));
+  expectOpening(cut(1, 3, 2.5));
+  expectOpening(cutCube());
 }
 
 // Dashpots on a boundary that a fault ends at take from each side what they would from a body that

@@ -113,6 +113,41 @@ TEST(BoundarySetup, PrescribesAVelocityWithARamp)
   EXPECT_EQ(sudden.velocities.back().velocity({0, 0}, 0), 3);
 }
 
+TEST(BoundarySetup, LeavesAFaultThatMayOpenFreeAcross)
+{
+  const auto withContact = [](std::string const& contact, std::string const& slip_rate = "") {
+    return completeDeck([&](ParameterList& deck) {
+             deck.remove("Boundary Conditions");
+             auto& list = deck.sublist("Boundary Conditions");
+             for (std::string const name : {"first", "second"}) {
+               list.sublist(name).set("Boundary", name).set("Type", "Two-Sided Fault");
+             }
+             auto& second = list.sublist("second");
+             if (!contact.empty()) {
+               second.set("Contact", contact);
+             }
+             if (!slip_rate.empty()) {
+               second.set("Slip Rate", slip_rate);
+             }
+           })
+      .sublist("Boundary Conditions");
+  };
+  for (std::string const contact : {"", "Bilateral", "Unilateral"}) {
+    const auto result = make<2>(withContact(contact), 2);
+    const bool may_open = contact == "Unilateral";
+    EXPECT_EQ(result.other_side.may_open, may_open);
+    ASSERT_EQ(result.velocities.size(), 2U);
+    for (auto const& condition : result.velocities) {
+      EXPECT_EQ(is<fem::FreeAcrossFault>(condition), may_open && condition.boundary == "second");
+      EXPECT_EQ(is<fem::ContactAcrossFault>(condition), !may_open || condition.boundary == "first");
+    }
+  }
+  expectRefusal([&] { make<2>(withContact("Unilateral"), 1); },
+                {"second / Contact = Unilateral", "antiplane motion does not open"});
+  expectRefusal([&] { make<2>(withContact("Unilateral", "1e-9"), 2); },
+                {"second / Contact = Unilateral", "has a Slip Rate"});
+}
+
 TEST(BoundarySetup, LeavesAnAntisymmetricFaultFreeAcross)
 {
   const auto contact = make<2>(conditions({}), 2);

@@ -144,6 +144,34 @@ TEST(InitialState, TakesThePrescribedSlipRateWhereTheFaultEnds)
   EXPECT_NEAR(valuesOf(problem.model.initial.alpha)[1], std::log(1e-6 / plate_rate), 1e-12);
 }
 
+// In the static solution a fault that may open is shut: the weight of the upper half presses it.
+TEST(InitialState, ShutsAFaultThatMayOpen)
+{
+  const auto onContact = [](std::string const& contact) {
+    return makeProblem<2>(column([&](ParameterList& given) {
+                            auto& conditions = given.sublist("Boundary Conditions");
+                            conditions.sublist("Fault").set("Boundary", "main");
+                            conditions.sublist("Fault").set("Type", "Two-Sided Fault");
+                            conditions.sublist("Fault").set("Contact", contact);
+                            conditions.sublist("Ground").set("Boundary", "bottom");
+                            conditions.sublist("Ground").set("Type", "Fixed");
+                            given.sublist("Mesh").sublist("Faults").set("main",
+                                                                        "abs(y - 1) < 1e-6");
+                            given.sublist("Friction").set("Normal Stress Change", "Coupled");
+                          }),
+                          world());
+  };
+  const auto shut = onContact("Bilateral"), opens = onContact("Unilateral");
+  ASSERT_TRUE(opens.surface().mayOpen());
+  expectNear(valuesOf(opens.model.initial.sigma_n), valuesOf(shut.model.initial.sigma_n));
+  expectNear(valuesOf(*opens.model.initial.u), valuesOf(*shut.model.initial.u));
+  double largest = 0;
+  for (const double stress : valuesOf(opens.model.initial.sigma_n)) {
+    largest = std::max(largest, stress);
+  }
+  EXPECT_NEAR(largest, 1e4, 2e3); // 1000 kg/m^3, 10 m/s^2, 1 m, on two cells
+}
+
 TEST(InitialState, WarnsOfAVelocityThatMovesBothSidesOfAFault)
 {
   const auto warns = [](std::function<void(ParameterList&)> const& change) {

@@ -187,10 +187,12 @@ private:
     jump.insert(jump.end(), of_body.begin(), of_body.end());
   }
 
+  // The directions across the fault, whether they are held or free.
   Directions across(int plus) const
   {
     return those(plus, [this](int condition) {
-      return on_fault_[condition] && conditions_[condition].holdsAcross();
+      auto const& one = conditions_[condition];
+      return on_fault_[condition] && (one.holdsAcross() || !one.prescribes());
     });
   }
 

@@ -36,7 +36,7 @@ void layAlongFault(Conditions const& conditions, ConditionContext const& context
     if (condition.liesAlongFault()) {
       fem::VelocityCondition<Dim> across = {condition.name, condition.boundary,
                                             fem::ContactAcrossFault{context.along_fault}};
-      if (result.other_side.is_mirrored) {
+      if (result.other_side.is_mirrored || condition.may_open) {
         across.kind = fem::FreeAcrossFault{context.along_fault};
       }
       const bool is_fault = condition.type->isFault();

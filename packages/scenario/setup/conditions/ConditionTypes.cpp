@@ -15,6 +15,7 @@ namespace asperity::scenario
 namespace
 {
 constexpr char const* prescribed_slip_rate = "Prescribed Slip Rate";
+constexpr char const* unilateral = "Unilateral"; // a word of `Contact`
 
 ConditionType faultType(std::string const& name, FaultKind const& kind)
 {
@@ -27,6 +28,9 @@ ConditionType faultType(std::string const& name, FaultKind const& kind)
   type.other_side = kind.other_side;
   type.reads = {condition_entries::direction, condition_entries::plate_rate,
                 condition_entries::slip_rate};
+  if (kind.other_side.is_inside) {
+    type.reads.emplace_back(condition_entries::contact);
+  }
   return type;
 }
 
@@ -146,6 +150,12 @@ Entries<CommonEntries> commonEntries()
       "alone. Prescribed Slip Rate, and faults with a Slip Rate or a Plate Rate, in three "
       "dimensions: the slip points along the projection of this vector onto the boundary.")
     .others()
+    .choice(
+      condition_entries::contact, optional, {"Bilateral", unilateral},
+      "Faults inside the mesh: says whether the two sides may part. Bilateral, which it is if "
+      "the entry is left out: they do not. Unilateral: the fault opens where the body or the "
+      "pressure of a fluid would pull at it, has no friction there, and closes without a "
+      "gap; the normal stress has to be Coupled.")
     .field(condition_entries::plate_rate, optional, "m/s", Range::any(),
            "Faults: says how fast the plates slide past each other along the fault (back slip). "
            "Friction and all outputs of slip include this rate in addition to the motion of the "
@@ -169,6 +179,8 @@ BoundaryCondition::BoundaryCondition(std::string const& path, ParameterList cons
   type = &conditionType(common.type);
   boundary = common.boundary;
   direction = common.direction;
+  may_open = isGiven(list, condition_entries::contact) &&
+             list.get<std::string>(condition_entries::contact) == unilateral;
 }
 
 namespace

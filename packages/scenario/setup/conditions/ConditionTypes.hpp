@@ -19,6 +19,7 @@ inline constexpr char const* type = "Type";
 inline constexpr char const* direction = "Direction";
 inline constexpr char const* plate_rate = "Plate Rate";
 inline constexpr char const* slip_rate = "Slip Rate";
+inline constexpr char const* contact = "Contact";
 inline constexpr char const* velocity = "Velocity"; // of the Type Prescribed Velocity
 } // namespace condition_entries
 
@@ -91,6 +92,7 @@ struct BoundaryCondition
   ConditionType const* type;
   std::string boundary;
   std::optional<std::vector<double>> direction; // as the deck gives it
+  bool may_open = false;                        // whether `Contact` is Unilateral
 
   bool liesAlongFault() const { return type->place != ConditionPlace::elsewhere; }
   bool givesSlipRate() const { return isGiven(list, condition_entries::slip_rate); }

@@ -64,6 +64,18 @@ void requireDirectionOfPlates(BoundaryCondition const& condition,
                      << ", which has a Plate Rate: its continuation slips in the same direction. "
                         "Give both the same.");
 }
+
+// Throws InputError where a fault that may open has no sense.
+void requireContact(BoundaryCondition const& condition, ConditionContext const& context,
+                    int dimension)
+{
+  auto const entry = joinPath(condition.name, condition_entries::contact) + " = Unilateral";
+  ASPERITY_REQUIRE(!condition.may_open || context.components == dimension,
+                   entry << ", but antiplane motion does not open a fault. Remove the entry.");
+  ASPERITY_REQUIRE(!condition.may_open || !isGiven(condition.list, condition_entries::slip_rate),
+                   entry << ", but the fault has a Slip Rate, and so neither friction nor a normal "
+                            "stress that could vanish. Remove one of the two entries.");
+}
 } // namespace
 
 template <int Dim>
@@ -80,7 +92,10 @@ void addFault(BoundaryCondition const& condition, ConditionContext const& contex
   if (condition.givesSlipRate()) {
     result.given_slip.push_back(condition.boundary);
   }
+  requireContact(condition, context, Dim);
+  const bool may_open = result.other_side.may_open || condition.may_open;
   result.other_side = other_side;
+  result.other_side.may_open = may_open;
   auto const plate = plateRateOf(condition, context.components);
   if (plate) {
     result.plate_rates.push_back(plate);

@@ -6,7 +6,8 @@
 namespace asperity::scenario
 {
 // Adds a fault of the condition's kind, with its plate rate. Throws InputError for a second fault
-// unless both lie inside the body.
+// unless both lie inside the body, and for one that may open in antiplane motion or with a slip
+// rate. The surface of all faults may open if one of them may.
 template <int Dim>
 void addFault(BoundaryCondition const& condition, ConditionContext const& context,
               BoundaryConditions<Dim>& result);

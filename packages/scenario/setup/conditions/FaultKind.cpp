@@ -30,9 +30,10 @@ struct BilateralContact : FaultKind
 struct TwoSidedFault : FaultKind
 {
   TwoSidedFault()
-      : FaultKind{"friction acts between two bodies on a fault inside the mesh, "
-                  "which does not open; several boundaries may be of this type.",
-                  fem::OtherSide::body}
+      : FaultKind{
+          "friction acts between two bodies on a fault inside the mesh, "
+          "which opens if its Contact is Unilateral; several boundaries may be of this type.",
+          fem::OtherSide::body}
   {
   }
 };

@@ -9,7 +9,8 @@
 namespace asperity::scenario
 {
 // A kind of fault: a value of the entry `Type` of a boundary condition. All kinds read `Direction`,
-// `Plate Rate` and `Slip Rate`; they differ in what lies on their other side. A new one, in
+// `Plate Rate` and `Slip Rate`, those inside the mesh also `Contact`; they differ in what lies on
+// their other side. A new one, in
 // FaultKind.cpp or in a library of your own, is
 //
 //   struct BilateralContact : FaultKind
