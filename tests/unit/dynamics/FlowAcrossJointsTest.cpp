@@ -92,10 +92,10 @@ struct Network
       least.at(n) = std::min(least[n], host(node));
       largest.at(n) = std::max(largest[n], host(node));
     }
-    auto const& communicator = *fem::test::worldCommunicator();
+    const auto communicator = fem::test::worldCommunicator();
     for (std::size_t n = 0; n < least.size(); ++n) {
-      least[n] = minOverRanks(least[n], communicator);
-      largest[n] = maxOverRanks(largest[n], communicator);
+      least[n] = minOverRanks(least[n], *communicator);
+      largest[n] = maxOverRanks(largest[n], *communicator);
       EXPECT_NEAR(least[n], largest[n], 1e-9) << n;
     }
     return least;
