@@ -125,10 +125,10 @@ double roundingOf(CrsMatrix const& K, Vector const& x)
   for (std::size_t i = 0; i < values.extent(0); ++i) {
     largest = std::max(largest, std::abs(values(i)));
   }
-  auto const& communicator = *worldCommunicator();
-  const double n = maxOverRanks(static_cast<double>(maxLocalRowEntries(K)), communicator);
+  const auto communicator = worldCommunicator();
+  const double n = maxOverRanks(static_cast<double>(maxLocalRowEntries(K)), *communicator);
   constexpr double half_epsilon = std::numeric_limits<double>::epsilon() / 2;
-  return n * (n + 40) * half_epsilon * maxOverRanks(largest, communicator) * x.normInf();
+  return n * (n + 40) * half_epsilon * maxOverRanks(largest, *communicator) * x.normInf();
 }
 
 // The owned crossing, if this rank has it.

@@ -107,13 +107,13 @@ TEST(FaultTurns, GoOnWhereAnotherFaultContinues)
 // fortieth of the whole between them. It is no ring: the steps have a mean, and their sense is +x.
 TEST(FaultTurns, FollowTheMeanOfAnS)
 {
-  const Segments s = {{"left", {Point<2>{0.15, 2}, Point<2>{0.15, 3}}},
+  const Segments s = {{"at_upper", {Point<2>{0.15, 2}, Point<2>{0.15, 3}}},
                       {"lower", {Point<2>{0.2, 1}, Point<2>{0.25, 1}}},
                       {"middle", {Point<2>{0.2, 1}, Point<2>{0.2, 3}}},
-                      {"right", {Point<2>{0.25, 1}, Point<2>{0.25, 2}}},
+                      {"at_lower", {Point<2>{0.25, 1}, Point<2>{0.25, 2}}},
                       {"upper", {Point<2>{0.15, 3}, Point<2>{0.2, 3}}}};
   auto const strip = uniformRectangle(8, 8, 0.4, 4);
-  auto const left = tangentsOf(s, "left", strip), right = tangentsOf(s, "right", strip);
+  auto const left = tangentsOf(s, "at_upper", strip), right = tangentsOf(s, "at_lower", strip);
   auto const middle = tangentsOf(s, "middle", strip);
   EXPECT_GT(left[2], 0);
   EXPECT_NEAR(left[1], left[2], 1e-12) << "towards the upper step";

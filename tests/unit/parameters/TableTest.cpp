@@ -272,7 +272,7 @@ double valueOf(std::string const& text, std::array<double, 3> const& x, double t
 TEST(TablesInExpressions, AreFunctionsOfOneVariable)
 {
   EXPECT_EQ(valueOf("vp(-z)", {0, 0, -1.5}), 30);
-  EXPECT_EQ(valueOf("2 * vp (abs(x) + y) - layer(t)", {-0.5, 0.5, 0}, 1), 38);
+  EXPECT_EQ(valueOf("2 * vp( abs(x) + y ) - layer(t)", {-0.5, 0.5, 0}, 1), 38);
   EXPECT_EQ(valueOf("vp(layer(0))", {}), 20);
   EXPECT_EQ(valueOf("vp(0.5)", {}), 15);
   const Expression of_place("vp(-z)", "a", tables()), of_time("vp(t)", "a", tables()),

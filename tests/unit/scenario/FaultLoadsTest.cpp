@@ -104,7 +104,7 @@ TEST(FaultLoads, GivenForEachFaultNameAllOfThem)
   expectParts(refused({"west"}), {"Friction / Shear Traction has no value for the fault 'east'"});
   expectParts(refused({"west", "aest"}),
               {"Friction / Shear Traction / aest: 'aest' is neither a region of the mesh nor a "
-               "fault. Did you mean 'east'?"});
+               "fault. Did you mean 'west'?"});
 }
 
 TEST(FaultLoads, KeepGravityBesideATractionInTime)

@@ -166,7 +166,7 @@ TEST(Tables, HaveTheUnitOfTheFieldThatTheyAre)
   TableDeck given;
   given.addFile("depth [km], density [km/s]\n0, 2\n10, 3\n");
   given.deck.sublist("Names").set("rock", "rho(-y)");
-  for (std::string const text : {"rho(-y)", " rho ( 2 * (1 - y) )", "rock"}) {
+  for (std::string const text : {"rho(-y)", " rho( 2 * (1 - y) )", "rock"}) {
     given.setDensity(text);
     expectRefusal([&] { given.density(); },
                   {"Asperity / Bulk / Density = '", "is in km/s, as Asperity / Tables / rho says",
