@@ -33,31 +33,4 @@ std::vector<Crossing> crossingsOf(std::vector<SplitVertex> const& splits);
 // Crossing. The pairs consist of vertices of the mesh, GlobalMesh or Mesh.
 template <template <int> class AnyMesh, int Dim>
 void checkCrossings(AnyMesh<Dim> const& mesh, std::string const& where);
-
-// A crossing by its place [m] and the names of its two faults, ascending. Two names that are one
-// fault there are "east/west".
-template <int Dim>
-struct NamedCrossing
-{
-  Point<Dim> place{};
-  std::array<std::string, 2> faults;
-};
-
-// The crossings of a mesh that is split, in the order of crossingsOf.
-template <template <int> class AnyMesh, int Dim>
-std::vector<NamedCrossing<Dim>> namedCrossings(AnyMesh<Dim> const& mesh);
-
-// Crossings that follow one another along edges of both faults: in space a line, in the plane a
-// single one.
-template <int Dim>
-struct CrossingLine
-{
-  std::array<std::string, 2> faults; // as in NamedCrossing
-  int num_vertices = 0;
-  std::array<Point<Dim>, 2> ends{}; // two that are far from each other
-};
-
-// The lines of a mesh that is split, in the order of their first crossings.
-template <int Dim>
-std::vector<CrossingLine<Dim>> crossingLines(GlobalMesh<Dim> const& mesh);
 } // namespace asperity::mesh

@@ -2,8 +2,8 @@
 #include "commands/Meshes.hpp"
 
 #include "base/Text.hpp"
-#include "mesh/Crossings.hpp"
 #include "mesh/GlobalMesh.hpp"
+#include "mesh/MeetingFaults.hpp"
 #include "mesh/MeshQuality.hpp"
 #include "mesh/PointText.hpp"
 
@@ -87,18 +87,28 @@ void printNames(GlobalMesh<Dim> const& mesh)
   }
 }
 
-// Where two faults cross: points of the plane, lines in space.
+// Where two faults meet: points of the plane, lines in space. `which` has a width of 17.
 template <int Dim>
-void printCrossings(GlobalMesh<Dim> const& mesh)
+void printLine(std::string const& which, std::string const& relation,
+               mesh::MeetingLine<Dim> const& line)
 {
-  for (auto const& [faults, num_vertices, ends] : mesh::crossingLines(mesh)) {
-    std::cout << "crossing         " << faults[0] << " and " << faults[1];
-    if (num_vertices > 1) {
-      std::cout << " at " << num_vertices << " vertices from " << mesh::text(ends[0]) << " to "
-                << mesh::text(ends[1]) << " m\n";
-    } else {
-      std::cout << " at " << mesh::text(ends[0]) << " m\n";
-    }
+  std::cout << which << line.faults[0] << relation << line.faults[1] << " at ";
+  if (line.num_vertices > 1) {
+    std::cout << line.num_vertices << " vertices from " << mesh::text(line.ends[0]) << " to "
+              << mesh::text(line.ends[1]) << " m, " << formatShort(line.length) << " m long\n";
+  } else {
+    std::cout << mesh::text(line.ends[0]) << " m\n";
+  }
+}
+
+template <int Dim>
+void printMeetings(GlobalMesh<Dim> const& mesh)
+{
+  for (auto const& line : mesh::crossingLines(mesh)) {
+    printLine("crossing         ", " and ", line);
+  }
+  for (auto const& line : mesh::jointLines(mesh)) {
+    printLine("joint            ", " ends on ", line);
   }
 }
 
@@ -109,8 +119,8 @@ public:
   {
     return {"info",
             "FILE.h5",
-            "Prints counts after the split along the faults, sizes, regions, boundaries, faults "
-            "and crossings.",
+            "Prints counts after the split along the faults, sizes, regions, boundaries, faults, "
+            "where two of them cross, and where one ends on another and slips along it.",
             {"FILE.h5"}};
   }
 
@@ -128,7 +138,7 @@ public:
       }
       printSizes(mesh);
       printNames(mesh);
-      printCrossings(mesh);
+      printMeetings(mesh);
     });
   }
 };

@@ -2,7 +2,7 @@
 
 #include "meshing/Features.hpp"
 
-#include "mesh/Crossings.hpp"
+#include "mesh/MeetingFaults.hpp"
 #include "mesh/faults/SplitFaults.hpp"
 
 #include "base/Errors.hpp"

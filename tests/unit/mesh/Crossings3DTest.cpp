@@ -1,7 +1,10 @@
 #include "FaultSamples.hpp"
 
 #include "mesh/Crossings.hpp"
+#include "mesh/MeetingFaults.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 using namespace asperity;
@@ -18,6 +21,15 @@ using Names = std::array<std::string, 2>;
 // [0, 4] x [-2, 2] x [0, 4] with faults along x = 2, whose plus side has the larger x, and along
 // y = 0. The line of the crossing is parallel to the z axis.
 GlobalMesh<3> cross() { return faultedBox({{"dyke", isAtTwo}, {"main", isFlat}}); }
+
+// With vertices 1 m apart.
+void expectLine(MeetingLine<3> const& line, Names const& faults, std::set<Point<3>> const& ends)
+{
+  EXPECT_EQ(line.faults, faults);
+  EXPECT_EQ((std::set<Point<3>>{line.ends[0], line.ends[1]}), ends);
+  EXPECT_NEAR(line.length, distance<3>(line.ends[0], line.ends[1]), 1e-12);
+  EXPECT_EQ(line.num_vertices, 1 + std::lround(line.length));
+}
 
 std::set<Point<3>> placesOfCrossings(GlobalMesh<3> const& mesh)
 {
@@ -125,6 +137,10 @@ TEST(Crossings3D, BecomeABranch)
     3, 23 + 2 * 3 + 2 * 5 + 2 * 2 + 3);
   expectSidesOfFacets(mesh);
   EXPECT_EQ(placesOfCrossings(mesh), onLine(3, 4));
+  expectLine(crossingLines(mesh).at(0), {"dyke", "main"}, {{2.0, 0.0, 3.0}, {2.0, 0.0, 4.0}});
+  const auto lines = jointLines(mesh);
+  ASSERT_EQ(lines.size(), 1u);
+  expectLine(lines[0], {"dyke", "main"}, {{2.0, 0.0, 0.0}, {2.0, 0.0, 2.0}});
 }
 
 TEST(Crossings3D, OfNamesThatContinueEachOther)
@@ -149,6 +165,11 @@ TEST(Crossings3D, OfNamesThatContinueEachOther)
   expectSidesOfFacets(branches);
   EXPECT_EQ(jointsOf(branches.splits).size(), 2u * 5u);
   EXPECT_TRUE(placesOfCrossings(branches).empty());
+  auto lines = jointLines(branches);
+  ASSERT_EQ(lines.size(), 2u);
+  std::sort(lines.begin(), lines.end(), [](auto& a, auto& b) { return a.faults < b.faults; });
+  expectLine(lines[0], {"east", "dyke"}, {{2.0, 0.0, 0.0}, {2.0, 0.0, 4.0}});
+  expectLine(lines[1], {"west", "dyke"}, {{2.0, 0.0, 0.0}, {2.0, 0.0, 4.0}});
 }
 
 TEST(Crossings3D, AreOnLines)
@@ -158,14 +179,8 @@ TEST(Crossings3D, AreOnLines)
                                                               return p[0] == 3.0 && p[2] >= 2.0;
                                                             }}})));
   ASSERT_EQ(lines.size(), 2u);
-  EXPECT_EQ(lines[0].faults, (Names{"dyke", "main"}));
-  EXPECT_EQ(lines[0].num_vertices, 5);
-  EXPECT_EQ((std::set<Point<3>>{lines[0].ends[0], lines[0].ends[1]}),
-            (std::set<Point<3>>{{2.0, 0.0, 0.0}, {2.0, 0.0, 4.0}}));
-  EXPECT_EQ(lines[1].faults, (Names{"main", "other"}));
-  EXPECT_EQ(lines[1].num_vertices, 2);
-  EXPECT_EQ((std::set<Point<3>>{lines[1].ends[0], lines[1].ends[1]}),
-            (std::set<Point<3>>{{3.0, 0.0, 3.0}, {3.0, 0.0, 4.0}}));
+  expectLine(lines[0], {"dyke", "main"}, {{2.0, 0.0, 0.0}, {2.0, 0.0, 4.0}});
+  expectLine(lines[1], {"main", "other"}, {{3.0, 0.0, 3.0}, {3.0, 0.0, 4.0}});
 }
 
 TEST(Crossings3D, DoNotDependOnTheOrderOfFacets)

@@ -1,6 +1,7 @@
 #include "FaultSamples.hpp"
 
 #include "mesh/Crossings.hpp"
+#include "mesh/MeetingFaults.hpp"
 #include "mesh/MeshQuality.hpp"
 
 #include <cmath>

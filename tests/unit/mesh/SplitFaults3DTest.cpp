@@ -1,5 +1,7 @@
 #include "FaultSamples.hpp"
 
+#include "mesh/MeetingFaults.hpp"
+
 using namespace asperity;
 using namespace asperity::mesh;
 
@@ -169,6 +171,13 @@ TEST(SplitFaults3D, GivesAShortBranchTips)
     EXPECT_EQ(pairs[1].minus, pairs[0].plus);
   }
   EXPECT_TRUE(pairsAt<3>(mesh, {2.0, 0.0, 2.0}).at(1).is_joint);
+  const auto lines = jointLines(mesh);
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_EQ(lines[0].faults, (std::array<std::string, 2>{"splay", "main"}));
+  EXPECT_EQ(lines[0].num_vertices, 1);
+  EXPECT_EQ(lines[0].length, 0);
+  EXPECT_EQ(lines[0].ends[0], (Point<3>{2.0, 0.0, 2.0}));
+  EXPECT_EQ(lines[0].ends[1], lines[0].ends[0]);
   EXPECT_EQ(pairsAt<3>(mesh, {2.0, 0.0, 0.0}).size(), 1u);
 }
 

@@ -3,6 +3,7 @@
 Bodies are drawn in Gmsh, whose cells follow the faults: a square of 40 km and a box of 8 km."""
 
 import pathlib
+import re
 import unittest
 
 import h5py
@@ -105,6 +106,30 @@ Physical Curve("fault") += {31};
         text = BOX.replace("FROM", "2 + 1").replace("ANGLE", "Pi/3")
         branch = text.replace("Rectangle(21) = {-1", "Rectangle(21) = {0").replace("2 + 1", "2.5")
         self.assert_faults({"fault.1": 12, "fault.2": 5}, branch)
+        with h5py.File("case.h5") as file:
+            x = file["vertices"][:]
+        inside = numpy.sort(x[(abs(x[:, [0, 2]]) < 1e-9).all(axis=1) & (abs(x[:, 1]) < 0.99), 1])
+        self.assertGreater(len(inside), 1)  # beside the tips
+        found = re.search(r"joint            fault.2 ends on fault.1 at (\d+) vertices from "
+                          r"\(\S+, (\S+), \S+\) to \(\S+, (\S+), \S+\) m, (\S+) m long",
+                          mesh_tool.run("info", "case.h5").stdout)
+        self.assertEqual(int(found[1]), len(inside))
+        numpy.testing.assert_allclose(sorted(map(float, found.groups()[1:3])), inside[[0, -1]],
+                                      rtol=1e-5)
+        self.assertAlmostEqual(float(found[4]), numpy.ptp(inside), delta=1e-5)
+
+    def test_a_branch_of_an_antiplane_model(self):
+        """It has a tip, or a joint, if the mesh is divided for such a model."""
+        self.assert_faults({"main": 12, "splay": 4},
+                           arms((-6, 0), (6, 0), (0, 4), names=["main", "main", "splay"]))
+        for more, tips, joints in (((), 2, []), (("--antiplane",), 1, ["splay ends on main"])):
+            with self.subTest(more):
+                result = mesh_tool.run("partition", "case.h5", "--parts", "2", "--output",
+                                       "two.h5", "--overwrite", *more)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                info = mesh_tool.run("info", "two.h5").stdout
+                self.assertRegex(info, rf"splay: .* {tips} tips?, ")
+                self.assertEqual(re.findall(r"joint +(.*) at \(0, 0\) m\n", info), joints)
 
     def test_crossings(self):
         """Two faults may cross."""

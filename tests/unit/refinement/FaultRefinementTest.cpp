@@ -1,5 +1,7 @@
 #include "RefinementSamples.hpp"
 
+#include "mesh/MeetingFaults.hpp"
+
 #include "unit/mesh/RandomFaults.hpp"
 
 using namespace asperity;
