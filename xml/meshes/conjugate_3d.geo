@@ -5,7 +5,8 @@
 // x points along the largest horizontal compression, z up. The faults strike at `angle` to either
 // side of x, cross along x = y = 0 and reach the surface z = 0. They reach as far from the line as
 // `right_west` and so on say, and down to their depths: that of left_lateral has to be the smaller
-// one, so that the line ends at its lower edge. Lengths in m, angles in degrees.
+// one, so that the line ends at its lower edge. With left_east = 0 left_lateral ends at the line: it
+// is a branch. Lengths in m, angles in degrees.
 //
 //   boundaries   surface, bottom, west, east, south, north
 //   faults       right_lateral, which strikes from the south west to the north east, and
@@ -55,18 +56,25 @@ Curve Loop(11) = {11, 12, 13, -2, -1};
 Curve Loop(12) = {14, 15, 16, -2, -1};
 Point(21) = {-left_west * c, left_west * s, 0};
 Point(22) = {-left_west * c, left_west * s, -left_depth};
-Point(23) = {left_east * c, -left_east * s, 0};
-Point(24) = {left_east * c, -left_east * s, -left_depth};
 Line(21) = {1, 21};
 Line(22) = {21, 22};
 Line(23) = {22, 2};
-Line(24) = {1, 23};
-Line(25) = {23, 24};
-Line(26) = {24, 2};
 Curve Loop(21) = {21, 22, 23, -1};
-Curve Loop(22) = {24, 25, 26, -1};
-faults() = {11, 12, 21, 22};
-For i In {0 : 3}
+right() = {11, 12};
+left() = {21};
+traces() = {11, 14, 21};
+If (left_east > 0)
+  Point(23) = {left_east * c, -left_east * s, 0};
+  Point(24) = {left_east * c, -left_east * s, -left_depth};
+  Line(24) = {1, 23};
+  Line(25) = {23, 24};
+  Line(26) = {24, 2};
+  Curve Loop(22) = {24, 25, 26, -1};
+  left() += {22};
+  traces() += {24};
+EndIf
+faults() = {right(), left()};
+For i In {0 : #faults() - 1}
   Plane Surface(faults(i)) = {faults(i)};
 EndFor
 
@@ -95,7 +103,7 @@ For i In {31 : 36}
 EndFor
 Surface Loop(1) = {31 : 36};
 Volume(1) = {1};
-Curve{11, 14, 21, 24} In Surface{31};
+Curve{traces()} In Surface{31};
 Surface{faults()} In Volume{1};
 
 Physical Surface("surface") = {31};
@@ -104,8 +112,8 @@ Physical Surface("south") = {33};
 Physical Surface("east") = {34};
 Physical Surface("north") = {35};
 Physical Surface("west") = {36};
-Physical Surface("right_lateral") = {11, 12};
-Physical Surface("left_lateral") = {21, 22};
+Physical Surface("right_lateral") = {right()};
+Physical Surface("left_lateral") = {left()};
 Physical Volume("rock") = {1};
 
 // The square of the distance from a fault: along it beyond its ends, across it, and below it.
