@@ -50,10 +50,10 @@ class Fault:
         return continued(-1, -2), continued(1, 2)
 
 
-def faults(folder, field="slip"):
-    """(main, branch)"""
+def faults(folder, field="slip", axes=(0, 1)):
+    """[main, branch], which are along these axes."""
     history = asperity_run.series(folder / "fault.h5")
-    return Fault(history, 0, field), Fault(history, 1, field)
+    return [Fault(history, axis, field) for axis in axes]
 
 
 class AntiplaneBranch(unittest.TestCase):
@@ -154,7 +154,7 @@ class AntiplaneBranch(unittest.TestCase):
     def test_the_branch_locked(self):
         """By strength that no stress reaches: the main fault alone."""
         for more in ((), INERTIA):
-            alone, _ = faults(self.run_deck("alone", *ONE_BLOCK, *ALONE, *more))
+            alone, = faults(self.run_deck("alone", *ONE_BLOCK, *ALONE, *more), axes=(0,))
             free, _ = faults(self.run_deck("free", *ONE_BLOCK, *more))
             main, branch = faults(self.run_deck("locked", *ONE_BLOCK, *LOCKED, *more))
             size = abs(alone.values).max()
