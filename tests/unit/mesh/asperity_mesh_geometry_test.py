@@ -155,9 +155,22 @@ class Faults(Geometry):
                 self.assertEqual(crossings, ["cross_middle and main_middle",
                                              "cross_east and main_east"]
                                  if "main_east" in faults else [])
+        # test_faults_that_meet_in_space has conjugate_3d.geo
         self.assertEqual({path.name for path in MESHES.glob("*.geo")},
-                         {"bp3.geo", "network.geo", "subduction_2d.geo", "splay_2d.geo",
-                          "subduction_3d.geo"})
+                         {"bp3.geo", "conjugate_3d.geo", "network.geo", "subduction_2d.geo",
+                          "splay_2d.geo", "subduction_3d.geo"})
+
+    def test_faults_that_meet_in_space(self):
+        """The line of conjugate_3d.geo, along which faults cross or the branch slips, is one cell
+        shorter than the branch is deep: at its lower end the branch has a tip."""
+        shutil.copy(MESHES / "conjugate_3d.geo", ".")
+        for left_east, found in (("15e3", "crossing         left_lateral and right_lateral"),
+                                 ("0", "joint            left_lateral ends on right_lateral")):
+            self.assert_done("convert", "conjugate_3d.geo", "meet.h5", "--overwrite", "--set",
+                             "h=3e3", "--set", f"left_east={left_east}")
+            info = self.assert_done("info", "meet.h5")
+            self.assertEqual(len(re.findall("^(?:crossing|joint) ", info, re.MULTILINE)), 1)
+            self.assertRegex(info, rf"\n{found} at 6 vertices from .* m, 15000 m long\n")
 
     def test_dip_in_space(self):
         """The interface of subduction_3d.geo steepens in proportion to its depth."""
