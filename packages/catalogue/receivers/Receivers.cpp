@@ -69,8 +69,9 @@ Entries<ReceiverSettings> ReceiverSettings::entries()
                "out, these are slip, slip_rate, traction, normal_stress, and the state as theta, "
                "or as psi or alpha where the laws do not define theta; a fault without friction "
                "has no normal stress and no state. In three dimensions slip_velocity is written, "
-               "too, and with fluids in the fault effective_normal_stress and their "
-               "pore_pressure, darcy_velocity, fluid_pressure and temperature.")
+               "too, where a fault may open opening, and with fluids in the fault "
+               "effective_normal_stress and their pore_pressure, darcy_velocity, fluid_pressure "
+               "and temperature.")
     .textArray("Body Fields", &ReceiverSettings::body_fields,
                "The fields of these names are written for receivers in the body.");
   return entries;
@@ -105,7 +106,8 @@ std::vector<std::string> usualFaultFields(io::FieldRegistry const& registry)
     }
     return is_there;
   };
-  for (auto const* name : {"slip_velocity", "normal_stress", "effective_normal_stress"}) {
+  for (auto const* name :
+       {"slip_velocity", "opening", "normal_stress", "effective_normal_stress"}) {
     addIfThere(name);
   }
   // The first of these alone.

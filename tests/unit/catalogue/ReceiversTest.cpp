@@ -112,14 +112,15 @@ TEST(Receivers, FieldsThatTheFaultHasAreWrittenWithoutBeingNamed)
 {
   test::TemporaryDirectory directory;
   Fault fault;
-  for (auto const* name : {"slip_velocity", "pore_pressure", "temperature", "psi", "other"}) {
+  for (auto const* name :
+       {"slip_velocity", "opening", "pore_pressure", "temperature", "psi", "other"}) {
     fault.add("fault", name, 1, [](double const*, int) { return 3; });
   }
   Receivers receivers(complete(parameters()), fault.context(directory.path()));
   run(fault, receivers);
   test::onRankZero([&] {
     const auto file = h5::File::open(directory / "receivers.h5");
-    for (auto const* name : {"slip_velocity", "pore_pressure", "temperature", "theta"}) {
+    for (auto const* name : {"slip_velocity", "opening", "pore_pressure", "temperature", "theta"}) {
       EXPECT_TRUE(file.has(std::string("on_fault/fields/") + name)) << name;
     }
     for (auto const* name : {"psi", "other", "darcy_velocity"}) { // psi: theta is the state
