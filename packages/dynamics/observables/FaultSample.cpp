@@ -120,15 +120,17 @@ FaultSample::Values const& FaultSample::opening() const
   return once(known_.opening, [this] { return toVector(openingOf(surface_, *state_->u)); });
 }
 
-// A fault that is shut has an opening of rounding, of either sign: it counts as open where it does
-// not bear a normal stress beyond the pressure of fluids.
+// A fault that is shut has an opening of rounding, of either sign, and an open one bears a stress of
+// rounding. The opening tells them apart: it is an unknown itself, and is rounded by far less than
+// displacements are.
 double FaultSample::shareOpen() const
 {
+  constexpr double rounding = 1e-10;
   auto const& open = opening();
-  auto const& stress = effectiveStress();
+  const double least = rounding * state_->u->normInf();
   double mine = 0;
   for (int node = 0; node < surface_.numNodes(); ++node) {
-    mine += open[node] > 0 && !(stress[node] > 0) ? surface_[node].weight : 0;
+    mine += open[node] > least ? surface_[node].weight : 0;
   }
   return sumOverRanks(mine, *surface_.communicator()) / surface_.totalWeight();
 }
