@@ -25,6 +25,7 @@ FIGURES = {  # what it shows, and the file that it needs
     "energy": ("balance of energy over the run", "steps.csv"),
     "slip_profiles": ("cumulative slip, lines years apart and seconds apart in ruptures",
                       "fault.h5"),
+    "opening": ("in the plane: opening over position and time, of faults that open", "fault.h5"),
     "receivers": ("slip rate, shear traction, state and slip at the receivers on the fault",
                   "receivers.h5"),
     "stations": ("displacement and velocity, component by component, at the receivers in the body "

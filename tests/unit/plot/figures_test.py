@@ -51,7 +51,7 @@ class Figures(SharedFolderCase):
         for name in cli.FIGURES:
             if name in missing:
                 self.assertIn(f"No figure '{name}': the run has no {missing[name]}.", out)
-            elif name in ("fault_maps", "fault_history", "traces"):  # of other models
+            elif name in ("fault_maps", "fault_history", "opening", "traces"):  # of other models
                 self.assertNotIn(name, out)
             else:
                 self.check_picture("many", name, out)
