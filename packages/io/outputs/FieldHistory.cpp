@@ -89,7 +89,7 @@ void FieldHistory::restore(Archive const& archive)
 
 Teuchos::RCP<const Teuchos::ParameterList> FaultHistory::validParameters()
 {
-  return parametersWith({true, {"slip_rate", "alpha", "slip", "traction"}, 10, 1.5});
+  return parametersWith({true, {"slip_rate", "alpha", "slip", "traction", "opening"}, 10, 1.5});
 }
 
 std::string FaultHistory::meaning()

@@ -27,9 +27,9 @@ LINES = 6
 # A mesh of fewer vertices takes a fraction of a second: cells so many times larger,
 LARGER_CELLS = {"bp1_fd": 8, "bp1_qd": 8, "bp1_qd_two_sided": 8, "bp2_qd": 16, "bp5_fd": 4,
                 "bp5_qd": 4, "bp7": 4, "bp8": 4, "megathrust_2d": 2, "megathrust_3d": 2,
-                "off_fault_2d": 4, "off_fault_cycle_2d": 8, "step_over_3d": 4, "tpv101_2d": 4,
-                "tpv101_3d": 4, "tpv101_two_sided": 4, "tpv104_3d": 4, "tpv105_3d": 4,
-                "tpv205_3d": 4}
+                "off_fault_2d": 4, "off_fault_cycle_2d": 8, "opening_thrust_2d": 4,
+                "opening_well_2d": 4, "step_over_3d": 4, "tpv101_2d": 4, "tpv101_3d": 4,
+                "tpv101_two_sided": 4, "tpv104_3d": 4, "tpv105_3d": 4, "tpv205_3d": 4}
 # or made from a geometry with cells of this size in m.
 SIZES = {"bp3_qd": 2e3, "conjugate_3d": 4e3, "network_2d": 1.2e3, "postseismic_2d": 4e3,
          "splay_2d": 4e3, "subduction_2d": 4e3, "subduction_3d": 8e3, "subduction_cycle_2d": 4e3,
