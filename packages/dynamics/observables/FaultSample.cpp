@@ -120,9 +120,9 @@ FaultSample::Values const& FaultSample::opening() const
   return once(known_.opening, [this] { return toVector(openingOf(surface_, *state_->u)); });
 }
 
-// A fault that is shut has an opening of rounding, of either sign, and an open one bears a stress of
-// rounding. The opening tells them apart: it is an unknown itself, and is rounded by far less than
-// displacements are.
+// A fault that is shut has an opening of rounding, of either sign, and an open one bears a stress
+// of rounding. The opening tells them apart: it is an unknown itself, and is rounded by far less
+// than displacements are.
 double FaultSample::shareOpen() const
 {
   constexpr double rounding = 1e-10;
