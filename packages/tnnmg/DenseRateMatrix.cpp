@@ -4,6 +4,7 @@
 #include <Tpetra_Map.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace asperity::tnnmg
 {
@@ -73,6 +74,19 @@ void DenseRateMatrix::apply(Vector const& x, Vector& y) const
   // Only one triangle is read, since Z is symmetric.
   Eigen::Map<Eigen::VectorXd>(to.data(), size).noalias() =
     Z.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(from.data(), size);
+}
+
+void DenseRateMatrix::sumMagnitudes(Vector const& x, Vector& y) const
+{
+  auto const from = x.getLocalViewHost(Tpetra::Access::ReadOnly);
+  auto const to = y.getLocalViewHost(Tpetra::Access::OverwriteAll);
+  const std::size_t size = on_host_.extent(0);
+  for (std::size_t i = 0; i < size; ++i) {
+    to(i, 0) = 0;
+    for (std::size_t j = 0; j < size; ++j) {
+      to(i, 0) += std::abs(on_host_(i, j) * from(j, 0));
+    }
+  }
 }
 
 int DenseRateMatrix::sweep(NodalProblem const& problem, Vector const&, Vector& v_columns, Vector& r,

@@ -19,6 +19,7 @@ public:
   ConstBlockView const& entries() const { return Z_; }
 
   void apply(Vector const& x, Vector& y) const override;
+  void sumMagnitudes(Vector const& x, Vector& y) const override;
   int sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns, Vector& r,
             BlockView const& blocks, BlockView const& residual) const override;
   void finishSweeps(ConstBlockView const&, Vector const&, Vector const&, Vector&) const override {}

@@ -25,6 +25,8 @@ public:
 
   // y = Z x
   virtual void apply(Vector const& x, Vector& y) const = 0;
+  // y_i = sum of |Z_ij x_j| over j: of the terms of Z x, of which a sum in any order has rounding.
+  virtual void sumMagnitudes(Vector const& x, Vector& y) const = 0;
 
   // One sweep of nonlinear block Gauss-Seidel over the nonlinear nodes: the model is minimised node
   // by node, over all ranks, so that J does not rise. Updates v_columns (v on columns()) and

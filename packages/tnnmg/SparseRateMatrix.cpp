@@ -2,6 +2,7 @@
 
 #include "base/MatrixProducts.hpp"
 #include "base/parallel/Reductions.hpp"
+#include "portability/Renamed.hpp"
 #include "tnnmg/OrderedSums.hpp"
 
 #include <Tpetra_Map.hpp>
@@ -107,11 +108,8 @@ SparseRateMatrix::SparseRateMatrix(RCP<const CrsMatrix> Z, NonlinearNodes const&
     8. * sumOverRanks(mine, *Z_->getComm()) < static_cast<double>(Z_->getGlobalNumRows());
 }
 
-void SparseRateMatrix::apply(Vector const& x, Vector& y) const
+void SparseRateMatrix::copyWithGhosts(Vector const& x) const
 {
-  if (Z_->getCrsGraph()->getImporter().is_null()) {
-    return multiply({{*Z_, x, y}});
-  }
   {
     auto const from = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
     auto const to = work_->getLocalViewDevice(Tpetra::Access::OverwriteAll);
@@ -119,7 +117,31 @@ void SparseRateMatrix::apply(Vector const& x, Vector& y) const
                       Kokkos::subview(from, Kokkos::ALL, 0));
   }
   exchange_.shareBody(*work_);
+}
+
+void SparseRateMatrix::apply(Vector const& x, Vector& y) const
+{
+  if (Z_->getCrsGraph()->getImporter().is_null()) {
+    return multiply({{*Z_, x, y}});
+  }
+  copyWithGhosts(x);
   multiply({{*Z_, *work_, y}});
+}
+
+void SparseRateMatrix::sumMagnitudes(Vector const& x, Vector& y) const
+{
+  copyWithGhosts(x);
+  auto const matrix = Z_->getLocalMatrixDevice();
+  auto const from = work_->getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const to = y.getLocalViewDevice(Tpetra::Access::OverwriteAll);
+  Kokkos::parallel_for(
+    "asperity::tnnmg::sumMagnitudes", RangePolicy(0, to.extent(0)), KOKKOS_LAMBDA(int row) {
+      double sum = 0;
+      for (auto e = matrix.graph.row_map(row); e < matrix.graph.row_map(row + 1); ++e) {
+        sum += math::fabs(matrix.values(e) * from(matrix.graph.entries(e), 0));
+      }
+      to(row, 0) = sum;
+    });
 }
 
 int SparseRateMatrix::sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns,

@@ -16,12 +16,15 @@ public:
   SparseRateMatrix(RCP<const CrsMatrix> Z, NonlinearNodes const& nodes);
 
   void apply(Vector const& x, Vector& y) const override;
+  void sumMagnitudes(Vector const& x, Vector& y) const override;
   int sweep(NodalProblem const& problem, Vector const& b, Vector& v_columns, Vector& r,
             BlockView const& blocks, BlockView const& residual) const override;
   void finishSweeps(ConstBlockView const& d, Vector const& b, Vector const& v,
                     Vector& r) const override;
 
 private:
+  void copyWithGhosts(Vector const& x) const; // to work_
+
   RCP<const CrsMatrix> Z_;
   FaultColumns exchange_;
   RCP<Vector> work_;           // on columns()

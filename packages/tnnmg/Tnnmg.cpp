@@ -227,8 +227,12 @@ bool Tnnmg::searchAlong(NodalProblem const& problem, TnnmgResult& result)
     ++result.failed_corrections;
     return false;
   }
-  result.energy_increases +=
-    change.countsAsIncrease(static_cast<double>(Z_->rows()->getGlobalNumElements()));
+  auto const num_rows = static_cast<double>(Z_->rows()->getGlobalNumElements());
+  if (change.countsAsIncrease(num_rows) != 0) { // by the estimated magnitude
+    const double terms = vectors_.magnitudeOfTerms(*Z_, *vectors_.v, vectors_.r, vectors_.c);
+    change.magnitude += step * (sumOverRanks(terms, communicator) - along.magnitude);
+    result.energy_increases += change.countsAsIncrease(num_rows);
+  }
   remaining_share_ = std::max(remaining_share_, std::fabs(1 - step));
   vectors_.move(step);
   gather(Z_->nodes().dofs, *vectors_.v, blocks_.v);

@@ -16,7 +16,7 @@ namespace
 // = b - r, and the terms of Z v. The last ones cancel where a node moves with its neighbours;
 // together they are about twice as large as the term of the diagonal entry Z_ii.
 KOKKOS_INLINE_FUNCTION
-double magnitudeOfTerms(double b, double r, double Z_ii, double v)
+double estimatedTerms(double b, double r, double Z_ii, double v)
 {
   return math::fabs(b) + math::fabs(b - r) + 2 * math::fabs(Z_ii * v);
 }
@@ -126,8 +126,8 @@ int TnnmgVectors::increasesInSweeps(RateMatrix const& Z, TnnmgBlocks const& bloc
         const int i = dofs(node, k);
         change -= 0.5 * (before(i, 0) + now(i, 0)) * d(node, k);
         sum += 0.5 * math::fabs(d(node, k)) *
-               (magnitudeOfTerms(bs(i, 0), before(i, 0), Z_ii(i, 0), vs(i, 0)) +
-                magnitudeOfTerms(bs(i, 0), now(i, 0), Z_ii(i, 0), vs(i, 0)));
+               (estimatedTerms(bs(i, 0), before(i, 0), Z_ii(i, 0), vs(i, 0)) +
+                estimatedTerms(bs(i, 0), now(i, 0), Z_ii(i, 0), vs(i, 0)));
       }
     },
     linear, terms);
@@ -135,7 +135,36 @@ int TnnmgVectors::increasesInSweeps(RateMatrix const& Z, TnnmgBlocks const& bloc
     sumOverRanks(std::array<double, 3>{linear + nonlinear.change, terms + nonlinear.magnitude,
                                        1. * size * Z.nodes().numNodes()},
                  *Z.rows()->getComm());
-  return EnergyChange{sums[0], sums[1]}.countsAsIncrease(sums[2]);
+  EnergyChange all = {sums[0], sums[1]};
+  if (all.countsAsIncrease(sums[2]) == 0) {
+    return 0;
+  }
+  Vector change(*v, Teuchos::Copy);
+  change.update(-1, v_before, 1);
+  const double rows =
+    0.5 * (magnitudeOfTerms(Z, v_before, r_before, change) + magnitudeOfTerms(Z, *v, r, change));
+  all.magnitude = sumOverRanks(rows + nonlinear.magnitude, *Z.rows()->getComm());
+  return all.countsAsIncrease(sums[2]);
+}
+
+double TnnmgVectors::magnitudeOfTerms(RateMatrix const& Z, Vector const& u, Vector const& r_of_u,
+                                      Vector const& x) const
+{
+  Vector of_Zu(Z.rows());
+  Z.sumMagnitudes(u, of_Zu);
+  auto const terms = of_Zu.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const bs = b.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const rs = r_of_u.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  auto const xs = x.getLocalViewDevice(Tpetra::Access::ReadOnly);
+  double result = 0;
+  Kokkos::parallel_reduce(
+    "asperity::tnnmg::magnitudeOfTerms", RangePolicy(0, bs.extent(0)),
+    KOKKOS_LAMBDA(int i, double& sum) {
+      sum += math::fabs(xs(i, 0)) *
+             (math::fabs(bs(i, 0)) + math::fabs(bs(i, 0) - rs(i, 0)) + terms(i, 0));
+    },
+    result);
+  return result;
 }
 
 void TnnmgVectors::newtonResidual(NonlinearNodes const& nodes, ConstBlockView const& gradient)
@@ -169,8 +198,7 @@ TnnmgVectors::Along TnnmgVectors::derivativeAlongCorrection(RateMatrix const& Z)
     KOKKOS_LAMBDA(int i, double& start, double& curvature, double& magnitude) {
       start -= rs(i, 0) * cs(i, 0);
       curvature += Zcs(i, 0) * cs(i, 0);
-      magnitude +=
-        magnitudeOfTerms(bs(i, 0), rs(i, 0), Z_ii(i, 0), vs(i, 0)) * math::fabs(cs(i, 0));
+      magnitude += estimatedTerms(bs(i, 0), rs(i, 0), Z_ii(i, 0), vs(i, 0)) * math::fabs(cs(i, 0));
     },
     mine.start, mine.curvature, mine.magnitude);
   return mine;
