@@ -150,9 +150,7 @@ CoupledStep::Response CoupledStep::respond(Effort effort, State const& from, dou
   auto const& settings = settings_.coupling;
   meanSlipRate(solver, mean_velocity_, slip_rate_);
   StepIterate now = {from, tau, mean_velocity_, slip_rate_, solver, friction, to};
-  if (equations_.opening() != nullptr) {
-    now.carried_across = equations_.opening()->carried();
-  }
+  now.opening = equations_.opening();
   response.change = unknowns_.updateImages(FollowsFrom::fault, now, settings.norm);
   if (unknowns_.bodyIsDue(response.change, rate.converged, settings.tolerance)) {
     solver.velocity(w);

@@ -2,6 +2,7 @@
 
 #include "base/Errors.hpp"
 #include "base/program/WorkTimers.hpp"
+#include "dynamics/coupling/StepOpening.hpp"
 #include "dynamics/coupling/StressScale.hpp"
 
 namespace asperity::dynamics
@@ -99,10 +100,14 @@ int NormalStressUpdate::respond(StepIterate const& step, NodeView const& image)
   ASPERITY_TIME_WORK("normal stress");
   step.solver.reactions(R_);
   subtract(right_side_, R_);
-  if (step.carried_across.extent(0) > 0) {
-    takeForceOfContact(fault_.surface().openingNodes(), step.carried_across, R_);
+  auto const* const opening = step.opening;
+  if (opening != nullptr && opening->carried().extent(0) > 0) {
+    takeForceOfContact(fault_.surface().openingNodes(), opening->carried(), R_);
   }
   since_start_.reaction->compression(R_, R_);
+  if (opening != nullptr) {
+    opening->clearWhereOpen(step.solver, R_);
+  }
   fault_.normalStress().add(sigma_0_, R_, since_start_.at_start, image);
   return 0;
 }

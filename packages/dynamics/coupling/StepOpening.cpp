@@ -39,6 +39,7 @@ StepOpening::StepOpening(Body const& body, Fault const& fault, RateUpdate const&
     , lower_("asperity::dynamics::leastVelocity", surface_.numNodes())
     , upper_("asperity::dynamics::largestVelocity", surface_.numNodes())
     , bounds_{true, lower_, upper_}
+    , w_("asperity::dynamics::velocityAtOpening", surface_.numNodes(), surface_.numUnknowns())
 {
   if (!body.matrices.is_massless && update.acceleration_in_acceleration != 0) {
     at_start_.emplace(fault, since_start);
@@ -92,6 +93,22 @@ void StepOpening::add(State const& to, Vector& b)
       const int dof = across(node);
       carried(node) = opens(node) ? values(dof, 0) - before(node) - start(dof, 0) : 0;
       values(dof, 0) += opens(node) ? start(dof, 0) : 0;
+    });
+}
+
+void StepOpening::clearWhereOpen(RateSolver const& solver, NodeView const& R) const
+{
+  solver.faultVelocity(w_);
+  auto const w = w_;
+  auto const stress = at_end_.stress();
+  auto const opens = surface_.openingNodes();
+  auto const lower = lower_, upper = upper_;
+  const int last = w.extent_int(1) - 1;
+  Kokkos::parallel_for(
+    "asperity::dynamics::clearWhereOpen", RangePolicy(0, R.extent_int(0)), KOKKOS_LAMBDA(int node) {
+      if (opens(node) && w(node, last) > lower(node) && w(node, last) < upper(node)) {
+        R(node) = -stress(node);
+      }
     });
 }
 } // namespace asperity::dynamics

@@ -4,6 +4,7 @@
 #include "dynamics/RateUpdate.hpp"
 #include "dynamics/State.hpp"
 #include "dynamics/fault/OpeningForces.hpp"
+#include "dynamics/rate/RateSolver.hpp"
 #include "portability/DenseSystem.hpp"
 
 #include <optional>
@@ -43,6 +44,9 @@ public:
   void add(State const& to, Vector& b);
 
   Bounds const& bounds() const { return bounds_; }
+  // R(num_nodes) := what makes the stress of contact zero, where the answer is within its bounds:
+  // contact is then absent, and what the reaction has there is the error of the answer.
+  void clearWhereOpen(RateSolver const& solver, NodeView const& R) const;
   // (num_nodes) [N], c, if the rate problem has twice the force of contact, otherwise without
   // entries: the reaction r = Z w - b without these forces means a force across of (r + c) / 2.
   ConstNodeView carried() const { return carried_; }
@@ -54,6 +58,7 @@ private:
   OpeningForces at_end_;
   NodeView lower_, upper_; // of bounds_
   Bounds bounds_;
+  BlockView w_; // (num_nodes, T + 1), of the answer
   // For the trapezoidal rule with inertia:
   std::optional<OpeningForces> at_start_;
   RCP<Vector> load_, start_; // (owned dofs) loads, and all forces but M a0, at the beginning

@@ -13,6 +13,8 @@
 
 namespace asperity::dynamics
 {
+class StepOpening;
+
 // The beginning of a step.
 struct StepStart
 {
@@ -28,14 +30,14 @@ struct StepStart
 struct StepIterate
 {
   State const& from;
-  double tau;                        // of the step [s]
-  ConstBlockView mean_velocity;      // w of gatherSlip, mean over the step (num_nodes, T) [m/s]
-  ConstNodeView slip_rate;           // its magnitude times the slip factor (num_nodes) [m/s]
-  RateSolver const& solver;          // which has the velocity
-  FrictionProblem const& friction;   // with which the velocity was computed
-  State const& to;                   // with the present iterates
-  Vector const* u_in_body = nullptr; // (owned dofs) at the end of the step [m], see FollowsFrom
-  ConstNodeView carried_across = {}; // StepOpening::carried
+  double tau;                           // of the step [s]
+  ConstBlockView mean_velocity;         // w of gatherSlip, mean over the step (num_nodes, T) [m/s]
+  ConstNodeView slip_rate;              // its magnitude times the slip factor (num_nodes) [m/s]
+  RateSolver const& solver;             // which has the velocity
+  FrictionProblem const& friction;      // with which the velocity was computed
+  State const& to;                      // with the present iterates
+  Vector const* u_in_body = nullptr;    // (owned dofs) at the end of the step [m], see FollowsFrom
+  StepOpening const* opening = nullptr; // unless the fault cannot open
 };
 
 // What an unknown of a step follows from, and so what its image costs.

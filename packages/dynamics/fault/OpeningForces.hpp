@@ -23,6 +23,8 @@ public:
   void evaluate(double t);
   // b(owned dofs) += these forces [N] at the nodes that may open, with the pressure of the state.
   void add(State const& state, Vector& b) const;
+  // The stress (num_nodes) [Pa] of the forces that were added last.
+  ConstNodeView stress() const { return stress_; }
 
 private:
   Fault const& fault_;

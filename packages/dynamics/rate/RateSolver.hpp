@@ -44,8 +44,8 @@ public:
   virtual tnnmg::TnnmgResult solve(tnnmg::NodalProblem const& problem) = 0;
   // Makes one iteration of TNNMG from the last answer.
   virtual tnnmg::TnnmgResult improve(tnnmg::NodalProblem const& problem) = 0;
-  // The last answer w: at the fault nodes, the tangential components (num_nodes, T), and at all
-  // owned dofs.
+  // The last answer w: at the fault nodes, the tangential components (num_nodes, T) or all that
+  // the surface has unknowns, and at all owned dofs.
   virtual void faultVelocity(BlockView const& w) const = 0;
   virtual void velocity(Vector& w) const = 0;
   // The same at those dofs alone where it is known without further work, the fault's at least.

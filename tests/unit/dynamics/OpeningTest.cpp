@@ -49,7 +49,7 @@ GlobalMesh<3> twoColumns(int cells, double length)
   return mesh;
 }
 
-// The normal stress of an open fault is rounding, which no tolerance may resolve.
+// A normal stress counts with 50 times its relative change, of which 1e-13 is within rounding.
 CouplingSettings coupling()
 {
   auto settings = tightCoupling();
