@@ -3,7 +3,9 @@
 #include "FullSolve.hpp"
 #include "multigrid/Smoother.hpp"
 #include "tnnmg/DenseRateMatrix.hpp"
+#include "tnnmg/SparseRateMatrix.hpp"
 #include "tnnmg/correction/MultigridCorrection.hpp"
+#include "tnnmg/direct/SchurComplement.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Tpetra_CrsMatrix.hpp>
@@ -180,6 +182,50 @@ struct RisingNodes : RoughNodes
     return {1e6 * truth.magnitude, truth.magnitude};
   }
 };
+
+// The scale of the rounding of a product, which its value has not where terms cancel.
+TEST(Tnnmg, SumsTheMagnitudesOfTheTermsOfAProduct)
+{
+  const RateProblem problem({1., 2, 1, Kind::both});
+  auto const& model = problem.model;
+  const auto x = pseudorandomVector(static_cast<int>(problem.b.size()), 5);
+  const SparseRateMatrix Z(model.Z, model.nodesWith(problem.heldOnRank({})));
+  Vector sums(model.map);
+  Z.sumMagnitudes(model.scatter(x), sums);
+  const Eigen::VectorXd expected = model.global.cwiseAbs() * x.cwiseAbs();
+  EXPECT_LE((model.gather(sums) - expected).lpNorm<Eigen::Infinity>(),
+            1e-14 * expected.lpNorm<Eigen::Infinity>());
+  EXPECT_GT((expected - (model.global * x).cwiseAbs()).maxCoeff(), 0.1 * expected.maxCoeff());
+}
+
+// One column after the other, whose terms cannot cancel.
+TEST(Tnnmg, SumsTheMagnitudesOfTheTermsOfADenseProduct)
+{
+  const RateProblem problem({1., 2, 1, Kind::both});
+  auto const& model = problem.model;
+  if (model.map->getComm()->getSize() > 1) {
+    GTEST_SKIP() << "dense matrices are for one rank";
+  }
+  std::vector<int> rows;
+  for (auto const& dofs : model.nonlinear) {
+    rows.insert(rows.end(), dofs.begin(), dofs.end());
+  }
+  const SchurComplement schur(*model.Z, rows);
+  const DenseRateMatrix S(schur.matrix(), schur.map(), 1, std::vector<int>(rows.size(), 0));
+  const auto x = pseudorandomVector(static_cast<int>(rows.size()), 5);
+  Vector all(schur.map()), sums(schur.map()), expected(schur.map());
+  for (int j = 0; j < x.size(); ++j) {
+    Vector column(schur.map()), product(schur.map());
+    column.replaceLocalValue(j, x(j));
+    all.replaceLocalValue(j, x(j));
+    S.apply(column, product);
+    product.abs(product);
+    expected.update(1, product, 1);
+  }
+  S.sumMagnitudes(all, sums);
+  sums.update(-1, expected, 1);
+  EXPECT_LE(sums.normInf(), 1e-14 * expected.normInf());
+}
 
 TEST(Tnnmg, CountsEveryRiseOfTheEnergy)
 {
