@@ -13,19 +13,14 @@ namespace
 template <int Dim>
 void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
 {
-  const auto num_vertices = static_cast<int>(mesh.vertices.size());
+  checkNumbersOfPairs(mesh.splits, mesh.vertices.size(), where);
   std::vector<bool> is_in_cell(mesh.vertices.size(), false);
   for (auto const& cell : mesh.cells) {
     for (int vertex : cell) {
       is_in_cell[static_cast<std::size_t>(vertex)] = true;
     }
   }
-  int before = -1;
   for (auto const& [plus, minus, is_tip, is_joint] : mesh.splits) {
-    ASPERITY_REQUIRE(plus > before && minus >= 0 && minus < plus && plus < num_vertices,
-                     where << ": the pair of vertices " << plus << " and " << minus
-                           << " at a fault does not have ascending numbers in [0, " << num_vertices
-                           << ").");
     ASPERITY_REQUIRE(mesh.vertices[plus] == mesh.vertices[minus],
                      where << ": vertices " << plus << " at " << text(mesh.vertices[plus])
                            << " and " << minus << " at " << text(mesh.vertices[minus])
@@ -35,7 +30,6 @@ void checkPairs(GlobalMesh<Dim> const& mesh, std::string const& where)
                            << text(mesh.vertices[plus])
                            << " are a pair at a fault, but one of them belongs to no cell, or the "
                               "pair is a tip and its first vertex belongs to one.");
-    before = plus;
   }
   checkCrossings(mesh, where);
   checkJoints(mesh, where);
@@ -62,6 +56,31 @@ void checkFault(GlobalMesh<Dim> const& mesh, std::string const& name, FacetTable
   }
 }
 } // namespace
+
+void checkNumbersOfPairs(std::vector<SplitVertex> const& splits, std::size_t num_vertices,
+                         std::string const& where)
+{
+  const auto is_in_range = [num_vertices](int vertex) {
+    return vertex >= 0 && static_cast<std::size_t>(vertex) < num_vertices;
+  };
+  int before = -1;
+  for (auto const& [plus, minus, is_tip, is_joint] : splits) {
+    ASPERITY_REQUIRE(plus > before && is_in_range(plus) && is_in_range(minus) && plus != minus,
+                     where << ": the pair of vertices " << plus << " and " << minus
+                           << " at a fault does not have ascending numbers in [0, " << num_vertices
+                           << ").");
+    before = plus;
+  }
+  const FaultPairs pairs(splits);
+  for (auto const& pair : splits) {
+    auto const* below = pairs.find(pair.minus);
+    ASPERITY_REQUIRE(
+      !below || ((pair.is_tip || pair.is_joint) && !below->is_tip && !below->is_joint),
+      where << ": vertex " << pair.minus << " is the minus of the pair with " << pair.plus
+            << " at a fault and the plus of another pair. This may be "
+               "so only where a branch ends at a fault that goes on.");
+  }
+}
 
 template <int Dim>
 void checkSplits(GlobalMesh<Dim> const& mesh, FacetTable<Dim> const& table,

@@ -4,6 +4,12 @@
 
 namespace asperity::mesh::detail
 {
+// Throws an InputError that starts with `where` unless the pairs ascend in plus, have vertices in
+// [0, num_vertices) and do not form chains other than where branches end. The minus of a pair may
+// have a larger number than its plus.
+void checkNumbersOfPairs(std::vector<SplitVertex> const& splits, std::size_t num_vertices,
+                         std::string const& where);
+
 // Throws an InputError that starts with `where` unless the pairs of a mesh that is split, and the
 // facets of its faults, are as Mesh describes them. Vertex numbers of cells and facets are in
 // range.

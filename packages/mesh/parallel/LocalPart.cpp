@@ -70,9 +70,9 @@ public:
       , pairs_(mesh.splits)
   {
     for (auto const& [plus, minus, is_tip, is_joint] : mesh.splits) {
-      const int lowest = lowest_.emplace(minus, minus).first->second; // known if it is a plus, too
-      lowest_.emplace(plus, lowest);
-      at_lowest_.insert({{lowest, lowest}, {lowest, plus}});
+      const int place = pairs_.placeOf(plus);
+      place_of_.insert({{plus, place}, {place, place}});
+      at_place_.insert({{place, place}, {place, plus}});
     }
   }
 
@@ -128,15 +128,15 @@ private:
   {
     std::unordered_set<int> places;
     const auto note_place = [&](int vertex) {
-      const auto known = lowest_.find(vertex);
-      if (known != lowest_.end()) {
+      const auto known = place_of_.find(vertex);
+      if (known != place_of_.end()) {
         places.insert(known->second);
       }
     };
     std::for_each(owned.begin(), owned.end(), note_place);
     std::for_each(ghosts.begin(), ghosts.end(), note_place);
     for (int place : places) {
-      const auto [first, last] = at_lowest_.equal_range(place);
+      const auto [first, last] = at_place_.equal_range(place);
       for (auto entry = first; entry != last; ++entry) {
         if (local_[entry->second] < 0) {
           ghosts.push_back(entry->second);
@@ -177,8 +177,8 @@ private:
   GlobalMesh<Dim> const& mesh_;
   std::vector<int> local_; // vertex number in the current part, -1 for other vertices
   FaultPairs pairs_;
-  std::unordered_map<int, int> lowest_; // of a vertex at a fault: the lowest one at its place
-  std::unordered_multimap<int, int> at_lowest_; // all vertices at its place
+  std::unordered_map<int, int> place_of_;      // of a vertex at a fault, as FaultPairs::placeOf
+  std::unordered_multimap<int, int> at_place_; // all vertices at a place
 };
 } // namespace
 

@@ -3,6 +3,7 @@
 #include "base/Errors.hpp"
 #include "base/parallel/Agreement.hpp"
 #include "mesh/MeshQuality.hpp"
+#include "mesh/SplitVertices.hpp"
 
 #include <Teuchos_CommHelpers.hpp>
 #include <metis.h>
@@ -23,12 +24,14 @@ struct Nodes
   template <int Dim>
   explicit Nodes(GlobalMesh<Dim> const& mesh) : of_vertex(mesh.vertices.size())
   {
-    std::vector<int> other(mesh.vertices.size(), -1); // a vertex with a lower number, if any
-    for (auto const& pair : mesh.splits) {
-      other[static_cast<std::size_t>(pair.plus)] = pair.minus;
-    }
+    const FaultPairs pairs(mesh.splits);
     for (std::size_t v = 0; v < of_vertex.size(); ++v) {
-      of_vertex[v] = other[v] < 0 ? count++ : of_vertex[static_cast<std::size_t>(other[v])];
+      if (!pairs.find(static_cast<int>(v))) {
+        of_vertex[v] = count++;
+      }
+    }
+    for (auto const& pair : mesh.splits) {
+      of_vertex[pair.plus] = of_vertex[pairs.placeOf(pair.plus)];
     }
   }
 };

@@ -208,6 +208,46 @@ TEST(FaultPartition, NamesOuterBoundariesAlone)
     {"Mesh / Boundaries / splay: a fault"});
 }
 
+namespace
+{
+// The same mesh with the vertices in the opposite order: every minus has a larger number than its
+// plus.
+template <int Dim>
+GlobalMesh<Dim> reversed(GlobalMesh<Dim> mesh)
+{
+  const int last = static_cast<int>(mesh.vertices.size()) - 1;
+  const auto renumber = [last](auto& simplices) {
+    for (auto& simplex : simplices) {
+      for (int& vertex : simplex) {
+        vertex = last - vertex;
+      }
+    }
+  };
+  std::reverse(mesh.vertices.begin(), mesh.vertices.end());
+  renumber(mesh.cells);
+  for (auto& boundary : mesh.boundaries) {
+    renumber(boundary.second);
+  }
+  for (auto& pair : mesh.splits) {
+    pair.plus = last - pair.plus;
+    pair.minus = last - pair.minus;
+  }
+  std::reverse(mesh.splits.begin(), mesh.splits.end());
+  return mesh;
+}
+} // namespace
+
+TEST(FaultPartition, DoesNotDependOnTheOrderWithinPairs)
+{
+  const auto in_the_plane = reversed(branchedRectangle());
+  checkMesh(in_the_plane, "test");
+  expectGoodParts(in_the_plane);
+  const auto in_space = reversed(branchedBox());
+  checkMesh(in_space, "test");
+  EXPECT_GT(jointsOf(in_space.splits).size(), 0u);
+  expectGoodParts(in_space);
+}
+
 TEST(FaultPartition, BroadcastSendsThePairs)
 {
   const auto original = branchedRectangle();

@@ -5,6 +5,7 @@
 #include "mesh/SimplexGeometry.hpp"
 #include "mesh/SplitVertices.hpp"
 #include "mesh/detail/Conformity.hpp"
+#include "mesh/detail/SplitCheck.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,20 +80,13 @@ void checkCells(Mesh<Dim> const& part, std::string const& where)
 template <int Dim>
 void checkPairs(Mesh<Dim> const& part, std::string const& where)
 {
-  const auto num_vertices = static_cast<long long>(part.vertices.size());
-  int before = -1;
+  checkNumbersOfPairs(part.splits, part.vertices.size(), where);
   for (auto const& [plus, minus, is_tip, is_joint] : part.splits) {
-    ASPERITY_REQUIRE(plus > before && isInRange(plus, num_vertices) &&
-                       isInRange(minus, num_vertices) && plus != minus,
-                     where << ": the pair of vertices " << plus << " and " << minus
-                           << " at a fault does not have ascending numbers in [0, " << num_vertices
-                           << ").");
     ASPERITY_REQUIRE(part.vertices[plus] == part.vertices[minus] &&
                        (plus < part.num_owned) == (minus < part.num_owned),
                      where << ": vertices " << part.global_ids[plus] << " and "
                            << part.global_ids[minus]
                            << ", a pair at a fault, are not at one place, or have two owners.");
-    before = plus;
   }
   checkCrossings(part, where);
   checkJoints(part, where);
