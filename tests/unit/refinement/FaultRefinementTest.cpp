@@ -267,13 +267,38 @@ TEST(FaultRefinement, OfAJointAtOneEdge)
   expectGoodParts(boxWith(faults, 4), 2);
 }
 
-// Branches on both sides of a fault, on its minus side with a short one.
+// Branches on both sides of a fault, on its minus side with a short one. The centres of the oblique
+// facets have rounding errors.
 TEST(FaultRefinement, OfJointsOnBothSides)
 {
-  expectGoodRefinement(
-    {{"above", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0; }},
-     {"below", [](auto& p) { return p[1] == p[0] - 2.0 && p[1] <= 0.0 && p[2] <= 2.0; }},
-     {"main", [](auto& p) { return p[1] == 0.0; }}});
+  const auto is_oblique = [](auto& p) { return std::abs(p[1] - p[0] + 2.0) < 1e-9; };
+  const Conditions<3> faults = {
+    {"above", [](auto& p) { return p[0] == 2.0 && p[1] >= 0.0; }},
+    {"below", [=](auto& p) { return is_oblique(p) && p[1] <= 0.0 && p[2] <= 2.0; }},
+    {"main", [](auto& p) { return p[1] == 0.0; }}};
+  std::set<bool> sides;
+  for (auto const& joint : jointsOf(boxWith(faults, 4).splits)) {
+    sides.insert(joint.is_on_plus_side);
+  }
+  EXPECT_EQ(sides.size(), 2u);
+  expectGoodRefinement(faults);
+}
+
+// The joints' line leads on the minus side of the main fault from a tip of both faults to one of
+// the branch: its midpoint has a larger number for the joint than for the plus of the main fault.
+TEST(FaultRefinement, OfAJointFromATipOfBothFaults)
+{
+  const Conditions<3> faults = {{"main", [](auto& p) { return p[1] == 0.0 && p[2] >= 1.0; }},
+                                {"splay", [](auto& p) {
+                                   return p[0] == 2.0 && p[2] >= 1.0 &&
+                                          ((p[1] <= 0.0 && p[2] <= 2.0) || p[1] <= -1.0);
+                                 }}};
+  EXPECT_TRUE(jointsOf(boxWith(faults, 4).splits).empty());
+  const auto joints = jointsOf(wholeRefined(boxWith(faults, 4), 1).splits);
+  ASSERT_EQ(joints.size(), 1u);
+  EXPECT_FALSE(joints[0].is_on_plus_side);
+  EXPECT_GT(joints[0].plus, joints[0].main);
+  expectGoodRefinement(faults);
 }
 
 TEST(FaultRefinement, OfAFaultInsideTheBody) { expectGoodRefinement(buried()); }
