@@ -35,9 +35,10 @@ struct TnnmgVectors
   // part of the change of psi. Collective.
   int increasesInSweeps(RateMatrix const& Z, TnnmgBlocks const& blocks,
                         EnergyChange const& nonlinear) const;
-  // This rank's part of the sum of the magnitudes of all terms of <Z u - b, x>, where r_of_u = b - Z u.
-  // The magnitudes that the other functions estimate are too small where the terms of a row cancel
-  // that has next to no velocity itself. As costly as a product with Z; collective.
+  // This rank's part of the sum of the magnitudes of all terms of <Z u - b, x>, where
+  // r_of_u = b - Z u. The magnitudes that the other functions estimate are too small where the
+  // terms of a row cancel that has next to no velocity itself. As costly as a product with Z;
+  // collective.
   double magnitudeOfTerms(RateMatrix const& Z, Vector const& u, Vector const& r_of_u,
                           Vector const& x) const;
   // newton_residual = b - Z v - gradient, zero in the held components of nonlinear nodes
