@@ -74,11 +74,11 @@ void checkNumbersOfPairs(std::vector<SplitVertex> const& splits, std::size_t num
   const FaultPairs pairs(splits);
   for (auto const& pair : splits) {
     auto const* below = pairs.find(pair.minus);
-    ASPERITY_REQUIRE(
-      !below || ((pair.is_tip || pair.is_joint) && !below->is_tip && !below->is_joint),
-      where << ": vertex " << pair.minus << " is the minus of the pair with " << pair.plus
-            << " at a fault and the plus of another pair. This may be "
-               "so only where a branch ends at a fault that goes on.");
+    ASPERITY_REQUIRE(!below || !pairs.find(below->minus),
+                     where << ": vertices " << pair.plus << ", " << pair.minus << " and "
+                           << below->minus
+                           << " are each the plus of a pair at a fault and follow one another. "
+                              "Where a branch ends, two pairs may do so, but not three.");
   }
 }
 

@@ -5,8 +5,8 @@
 namespace asperity::mesh::detail
 {
 // Throws an InputError that starts with `where` unless the pairs ascend in plus, have vertices in
-// [0, num_vertices) and do not form chains other than where branches end. The minus of a pair may
-// have a larger number than its plus.
+// [0, num_vertices) and lead from each plus by at most two pairs to a vertex that is the plus of
+// none. The minus of a pair may have a larger number than its plus.
 void checkNumbersOfPairs(std::vector<SplitVertex> const& splits, std::size_t num_vertices,
                          std::string const& where);
 

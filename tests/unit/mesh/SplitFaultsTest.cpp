@@ -242,7 +242,7 @@ TEST(SplitFaults, IsSeenByTheCheck)
       m.splits[1].minus = m.splits[2].plus;
       m.splits[2].minus = m.splits[1].plus;
     },
-    {"There: vertex 27 is the minus of the pair with 26", "the plus of another pair"});
+    {"There: vertices 26, 27 and 26 are each the plus", "follow one another"});
   refused([](auto& m) { m.splits[0].is_tip = !m.splits[0].is_tip; }, {"belongs to no cell"});
   refused([](auto& m) { m.splits.pop_back(); }, {"fault 'fault'", "the plus of no pair"});
   refused([](auto& m) { m.boundaries.at("fault")[0] = {25, 27}; }, {"not a facet of a cell"});
