@@ -19,6 +19,9 @@ rupture_3d: one rupture with inertia, which starts on fault_west and stops at th
 fault_east strengthens. It turns into the main fault, which bears a tenth of the moment or more, and
 breaks first on the side that the rupture of fault_west unclamps, to the north west of the crossing.
 Where fault_east weakens, too, the rupture goes on and the main fault does not break.
+
+Chosen after first results: that fault_east strengthens in rupture_3d, the sentence on cycles in
+space, and that slip at the crossing is compared with both names of the fault that crosses.
 """
 
 import pathlib
